@@ -18,7 +18,7 @@ enum Cause {
         this.color = color;
     }
 
-    /** Why the robot moves now; the earlier cause if it merely comes to rest. */
+    /** Why the robot moves now; the earlier cause while it is only coming to rest. */
     static Cause of(RobotState state, Cause earlier) {
         return switch (state.activity()) {
             case CLEAN -> CLEAN;

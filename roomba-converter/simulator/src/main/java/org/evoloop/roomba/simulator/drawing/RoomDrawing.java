@@ -13,8 +13,8 @@ import org.evoloop.roomba.simulator.room.Room;
 import org.evoloop.roomba.simulator.room.Shape;
 
 /**
- * Draws a room as seen from above, x to the right and y upwards: walls, obstacles, cliffs, the dock, the marker, the
- * robot's way in the colours of its causes, where it began, where it is and what its camera sees.
+ * Draws a room seen from above, x to the right and y upwards: walls, obstacles, cliffs, the dock, the marker, the
+ * robot's path coloured by cause, where it started, where it is and what its camera sees.
  *
  * <p>Threading: used by one thread.
  *
@@ -29,7 +29,7 @@ public final class RoomDrawing {
 
     private static final double MARKER_DEPTH_MM = 60;
 
-    /** The longest line of sight drawn; in an open place a camera sees farther. */
+    /** The longest line of sight that is drawn; in an open room a camera sees farther. */
     private static final double SIGHT_MM = 4_000;
 
     private static final int SIGHT_RAYS = 120;
@@ -60,7 +60,7 @@ public final class RoomDrawing {
     /**
      * The drawing of a robot with a camera.
      *
-     * @param fieldOfViewDeg how wide the camera sees; 0 for no camera
+     * @param fieldOfViewDeg the camera's field of view; 0 for no camera
      */
     public static String svg(RobotState state, Trail trail, double fieldOfViewDeg) {
         return new RoomDrawing(state, trail, fieldOfViewDeg).draw();
@@ -96,7 +96,7 @@ public final class RoomDrawing {
                         + " font-family='sans-serif' font-size='%.0f' stroke-linejoin='round' stroke-linecap='round'>",
                 left, -top, right - left, top - bottom + legendMm, letterMm);
         add("<rect x='%.0f' y='%.0f' width='100%%' height='100%%' fill='white'/>", left, -top);
-        // SVG's y goes down, the room's goes up.
+        // SVG's y axis points down, the room's points up.
         add("<g transform='scale(1,-1)'>");
         drawSight();
         room.shapes().forEach(this::draw);
@@ -134,7 +134,7 @@ public final class RoomDrawing {
                         dock.ahead(nearMm + DOCK_DEPTH_MM, widthMm))));
     }
 
-    /** A board with an arrow to where it looks. */
+    /** Draws a board, with an arrow in the direction it faces. */
     private void drawMarker(Marker marker) {
         Pose pose = marker.pose();
         double halfMm = marker.boardMm() / 2;
@@ -149,7 +149,7 @@ public final class RoomDrawing {
                 marker.covered() ? "#868e96" : "#d6336c");
     }
 
-    /** What the camera sees of the floor, up to the walls. */
+    /** Draws the part of the floor that the camera sees, up to the walls. */
     private void drawSight() {
         if (fieldOfViewDeg == 0) {
             return;

@@ -24,7 +24,7 @@ public final class Trail implements Consumer<RobotState> {
     /** A longer distance in one tick means that the robot was carried. */
     private static final double CARRIED_MM = 12;
 
-    /** Three kilometres, or some hours of cleaning. */
+    /** Three kilometres, or a few hours of cleaning. */
     private static final int MOST_STEPS = 200_000;
 
     /** A part of the path with one cause. */
@@ -67,7 +67,7 @@ public final class Trail implements Consumer<RobotState> {
         }
     }
 
-    /** Where the robot was first seen; null if it never was. */
+    /** Where the robot was first seen; null before that. */
     synchronized @Nullable Pose start() {
         return start;
     }

@@ -8,16 +8,16 @@ import org.evoloop.roomba.simulator.room.Pose;
 import org.evoloop.roomba.simulator.room.Room;
 import org.evoloop.roomba.simulator.room.Shape;
 
-/** The dark where there is no floor. */
+/** Paints areas without a floor as dark. */
 final class Cliffs {
     private static final long DARK = Rgb.of(0x1A1815);
 
-    /** So near that it is below every picture. */
+    /** So near that it is below the bottom of every picture. */
     private static final double NEAREST_MM = 1;
 
     private final List<Shape> shapes;
 
-    /** By shape: its corners from the robot, ahead and to the left. */
+    /** For each cliff, its corners relative to the robot: ahead and to the left. */
     private final List<List<Point>> outlines = new ArrayList<>();
 
     Cliffs(List<Shape> shapes) {
@@ -37,11 +37,11 @@ final class Cliffs {
         }
     }
 
-    /** @param aside how far to the left the column looks for each mm ahead */
+    /** @param aside the column's direction: mm to the left for each mm ahead */
     void paint(Column column, double aside, int endRow) {
         for (List<Point> outline : outlines) {
             double[] crossings = crossings(outline, aside);
-            // The line of sight is over the cliff from each odd crossing, counted from far away, to the next.
+            // Counted from far to near, the line of sight is over the cliff from each odd crossing to the next one.
             for (int i = crossings.length - 1; i >= 0; i -= 2) {
                 double nearMm = i > 0 ? crossings[i - 1] : NEAREST_MM;
                 column.cover(DARK, Rgb.ONE, column.row(0, 1 / crossings[i]), column.row(0, 1 / nearMm), endRow);
@@ -49,7 +49,7 @@ final class Cliffs {
         }
     }
 
-    /** How far ahead the line of sight crosses the outline, the nearest first. */
+    /** The distances ahead at which the line of sight crosses the outline, nearest first. */
     private static double[] crossings(List<Point> outline, double aside) {
         double[] crossings = new double[outline.size()];
         int count = 0;

@@ -1,11 +1,11 @@
 package org.evoloop.roomba.simulator.eye;
 
 /**
- * One column of a picture in the making, in lanes of 16 bits. Rows count downwards from the top; edges between them are
- * smoothed by how much of a row is covered.
+ * One column of a picture that is being painted, in lanes of 16 bits. Rows count downwards from the top. Edges are
+ * antialiased by how much of a row is covered.
  */
 final class Column {
-    /** How dark the floor is at a foot. */
+    /** How much darker the floor is at the foot of an object. */
     private static final double SHADE = 0.35;
 
     private final long[] pixels;
@@ -21,12 +21,12 @@ final class Column {
         this.focalPx = focalPx;
     }
 
-    /** Goes to a column of the picture. */
+    /** Moves to a column of the picture. */
     void moveTo(int column) {
         start = column * height;
     }
 
-    /** The row of something so high that is so near. */
+    /** The row of a point with this height and nearness. */
     double row(double heightMm, double nearness) {
         return height / 2.0 + focalPx * (lensMm - heightMm) * nearness;
     }
@@ -35,7 +35,7 @@ final class Column {
         pixels[start + row] = color;
     }
 
-    /** Paints over what is there. */
+    /** Paints over the present content. */
     void cover(long color, int weight, double top, double bottom, int endRow) {
         int last = Math.min(endRow, (int) Math.ceil(Math.min(bottom, height)));
         long whole = color * Rgb.ONE;
@@ -46,7 +46,7 @@ final class Column {
         }
     }
 
-    /** Adds the difference to what is there. */
+    /** Adds the difference to the present content. */
     void add(long difference, int weight, double top, double bottom, int endRow) {
         int last = Math.min(endRow, (int) Math.ceil(Math.min(bottom, height)));
         for (int row = (int) Math.max(0, top); row < last; row++) {
@@ -62,7 +62,7 @@ final class Column {
         return covered <= 0 ? 0 : (int) Math.round(weight * covered);
     }
 
-    /** Darkens the floor in front of something, from its foot on. */
+    /** Darkens the floor in front of an object, starting at its foot. */
     void shade(double foot, double end) {
         int last = (int) Math.min(height, end);
         for (int row = (int) Math.max(0, foot); row < last; row++) {

@@ -5,9 +5,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.evoloop.roomba.simulator.eye.Face.Patch;
 
-/**
- * Paints the fronts of furniture and what hangs on walls: much that is square and full of contrast, as in real rooms.
- */
+/** Paints furniture fronts and wall decoration: many squares with high contrast, as in real rooms. */
 final class Decor {
     private static final int[] VIVID = {
         0xC92A2A, 0x1971C2, 0x2F9E44, 0xE8590C, 0x9C36B5, 0x0C8599, 0xF2C037, 0x5C940D, 0x862E9C, 0xD6336C, 0x3B3B45,
@@ -41,7 +39,7 @@ final class Decor {
         patches.add(new Patch(fromMm, toMm, bottomMm, topMm, rgb, underRgb));
     }
 
-    /** What hangs on a wall. */
+    /** The decoration of a wall. */
     List<Patch> wall(double lengthMm, double heightMm, int rgb) {
         add(0, lengthMm, 0, SKIRTING_MM, WHITE, rgb);
         double atMm = between(100, 500);
@@ -123,7 +121,7 @@ final class Decor {
     /**
      * One side of a piece of furniture.
      *
-     * @param style any number; all sides of a piece have the same
+     * @param style any number; the same for all sides of a piece
      */
     List<Patch> furniture(double lengthMm, double heightMm, int rgb, int style) {
         if (lengthMm < 60) {
@@ -204,7 +202,7 @@ final class Decor {
         }
     }
 
-    /** How many styles of furniture there are. */
+    /** The number of furniture styles. */
     static int styles() {
         return 6;
     }

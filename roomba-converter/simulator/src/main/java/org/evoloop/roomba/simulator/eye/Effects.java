@@ -4,15 +4,15 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What lens, sensor and light do to a picture.
+ * The effects of lens, sensor and light on a picture.
  *
- * @param blurPx the standard deviation of the lens' blur, 0 to 5
+ * @param blurPx the standard deviation of the lens blur, 0 to 5
  * @param noiseLevels the standard deviation of each value's noise, in levels of 255, 0 to 64
- * @param motionPx how far everything is smeared sideways whatever the robot does, 0 to {@value #LONGEST_SMEAR_PX}
- * @param exposureMillis how long the sensor looks; as far as the robot turns meanwhile, everything is smeared as well,
- *     up to {@value #LONGEST_SMEAR_PX} pixels; 0 to 100
- * @param lightLeft how bright the picture's left edge is, 0 to 2; 1 is as it should be
- * @param lightRight how bright its right edge is, likewise
+ * @param motionPx constant horizontal motion blur, 0 to {@value #LONGEST_SMEAR_PX}
+ * @param exposureMillis the exposure time; a turning robot adds motion blur by the angle turned during this time, up to
+ *     {@value #LONGEST_SMEAR_PX} pixels; 0 to 100
+ * @param lightLeft the brightness factor at the picture's left edge, 0 to 2; 1 is neutral
+ * @param lightRight the brightness factor at its right edge, 0 to 2
  * @since 0.1
  */
 public record Effects(
@@ -22,7 +22,7 @@ public record Effects(
         double exposureMillis,
         double lightLeft,
         double lightRight) {
-    /** Nothing but what the room looks like. */
+    /** No effects. */
     public static final Effects CLEAN = new Effects(0, 0, 0, 0, 1, 1);
 
     /** A cheap camera in a room with one window. */
@@ -33,7 +33,7 @@ public record Effects(
 
     static final int LONGEST_SMEAR_PX = 60;
 
-    /** Refuses with all that is wrong in one message. */
+    /** Rejects invalid values, with all problems in one message. */
     public Effects {
         List<String> problems = new ArrayList<>();
         require("lens blur in pixels", blurPx, 5, problems);
@@ -54,9 +54,9 @@ public record Effects(
     }
 
     /**
-     * The effects of one of the names clean, typical and hard.
+     * The effects with this name: clean, typical or hard.
      *
-     * @throws IllegalArgumentException for any other
+     * @throws IllegalArgumentException for any other name
      */
     public static Effects named(String name) {
         return switch (name) {
@@ -69,7 +69,7 @@ public record Effects(
         };
     }
 
-    /** The same effects of a camera that looks for so long. */
+    /** A copy with another exposure time. */
     public Effects withExposureMillis(double millis) {
         return new Effects(blurPx, noiseLevels, motionPx, millis, lightLeft, lightRight);
     }

@@ -27,7 +27,7 @@ public final class Eye {
     private static final int ZENITH = 0x7FB2E5;
     private static final int HORIZON = 0xDCE9F2;
 
-    /** How far the dark in front of furniture reaches. */
+    /** How far the shadow in front of furniture reaches. */
     private static final double SHADOW_MM = 90;
 
     private final EyeOptions options;
@@ -52,7 +52,7 @@ public final class Eye {
     private double[] nearness = {};
     private int[] endRow = {};
 
-    /** Sees as the options say. */
+    /** A camera with these options. */
     public Eye(EyeOptions options) {
         this.options = options;
         width = options.widthPx();
@@ -76,10 +76,10 @@ public final class Eye {
     }
 
     /**
-     * What the camera sees.
+     * Renders what the camera sees.
      *
-     * @param turnRadPerS how fast the robot turns, for what the exposure smears
-     * @param frameNumber chooses the noise
+     * @param turnRadPerS the robot's turning rate, for motion blur
+     * @param frameNumber selects the noise
      */
     public Picture render(Room where, Pose pose, double turnRadPerS, long frameNumber) {
         enter(where);
@@ -147,7 +147,7 @@ public final class Eye {
         }
     }
 
-    /** Gathers the faces of a column, the nearest first, and returns how many there are. */
+    /** Collects the faces of a column, nearest first, and returns their number. */
     private int sort(int x, int seenCount) {
         int count = 0;
         for (int i = 0; i < seenCount; i++) {

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What can be chosen about the camera. It looks straight ahead and level from above the robot's centre. What is out of
- * its range is refused with all that is wrong in one message.
+ * The camera's options. It is mounted above the robot's centre and looks straight ahead and level. Values out of range
+ * are rejected, with all problems in one message.
  *
  * <p>Threading: immutable.
  *
@@ -51,32 +51,32 @@ public final class EyeOptions {
         return new EyeOptions(640, 480, 60, 150, 1, Effects.TYPICAL);
     }
 
-    /** The same with pictures of another size, in pixels. */
+    /** A copy with pictures of another size, in pixels. */
     public EyeOptions withSize(int width, int height) {
         return new EyeOptions(width, height, fieldOfViewDeg, heightMm, seed, effects);
     }
 
-    /** The same that sees so many degrees. */
+    /** A copy with another field of view, in degrees. */
     public EyeOptions withFieldOfViewDeg(double degrees) {
         return new EyeOptions(widthPx, heightPx, degrees, heightMm, seed, effects);
     }
 
-    /** The same so many millimetres above the floor. */
+    /** A copy with the lens at another height above the floor, in mm. */
     public EyeOptions withHeightMm(double height) {
         return new EyeOptions(widthPx, heightPx, fieldOfViewDeg, height, seed, effects);
     }
 
-    /** The same with another decoration and other noise. */
+    /** A copy with another decoration and other noise. */
     public EyeOptions withSeed(long number) {
         return new EyeOptions(widthPx, heightPx, fieldOfViewDeg, heightMm, number, effects);
     }
 
-    /** The same with other effects of lens and sensor. */
+    /** A copy with other effects of lens and sensor. */
     public EyeOptions withEffects(Effects others) {
         return new EyeOptions(widthPx, heightPx, fieldOfViewDeg, heightMm, seed, others);
     }
 
-    /** The focal length in pixels, which are square. */
+    /** The focal length in pixels; pixels are square. */
     public double focalPx() {
         return widthPx / 2.0 / Math.tan(Math.toRadians(fieldOfViewDeg) / 2);
     }
@@ -91,22 +91,22 @@ public final class EyeOptions {
         return heightPx;
     }
 
-    /** What it sees from the picture's left edge to its right, in degrees, 20 to 120. */
+    /** The horizontal field of view, in degrees, 20 to 120. */
     public double fieldOfViewDeg() {
         return fieldOfViewDeg;
     }
 
-    /** How high the lens is above the floor, in mm, 50 to 200. */
+    /** The height of the lens above the floor, in mm, 50 to 200. */
     public double heightMm() {
         return heightMm;
     }
 
-    /** What chooses the room's decoration where the room does not tell, and the noise. */
+    /** The seed for the noise, and for decoration that the room does not specify. */
     public long seed() {
         return seed;
     }
 
-    /** What the lens and the sensor do to a picture. */
+    /** The effects of lens and sensor. */
     public Effects effects() {
         return effects;
     }

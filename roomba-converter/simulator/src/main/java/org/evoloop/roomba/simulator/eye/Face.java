@@ -4,12 +4,12 @@ import java.util.List;
 import org.evoloop.roomba.simulator.room.Point;
 
 /**
- * Something flat and upright in the room, from {@code left} to {@code right} as those see it who look at its front.
+ * A flat upright surface in the room, from {@code left} to {@code right} as seen from its front.
  *
- * @param rgb what is not covered by patches
- * @param patches what is painted on it; none reaches into another
- * @param bothSides whether it is seen from behind as well, mirrored
- * @param thin whether it lies on other faces, and is in front of those that are as far away
+ * @param rgb the colour outside the patches
+ * @param patches what is painted on it; they do not overlap
+ * @param bothSides whether it is also visible from behind, mirrored
+ * @param thin whether it is mounted on other faces, and drawn in front of those at the same distance
  */
 record Face(
         Point left,
@@ -24,11 +24,11 @@ record Face(
     /**
      * A rectangle on a face.
      *
-     * @param fromMm from the face's left end to its own
-     * @param toMm from the face's left end to its own right end
-     * @param bottomMm above the floor
-     * @param topMm above the floor
-     * @param underRgb what it hides
+     * @param fromMm its left edge, from the face's left edge
+     * @param toMm its right edge, from the face's left edge
+     * @param bottomMm its height above the floor at the bottom
+     * @param topMm its height above the floor at the top
+     * @param underRgb the colour it covers
      */
     record Patch(double fromMm, double toMm, double bottomMm, double topMm, int rgb, int underRgb) {}
 
@@ -40,7 +40,7 @@ record Face(
         return Math.hypot(right.xMm() - left.xMm(), right.yMm() - left.yMm());
     }
 
-    /** The same face in other light. */
+    /** The same face in different light. */
     Face shaded(double factor) {
         List<Patch> shaded = patches.stream()
                 .map(patch -> new Patch(

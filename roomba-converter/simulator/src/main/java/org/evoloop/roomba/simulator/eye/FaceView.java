@@ -3,12 +3,12 @@ package org.evoloop.roomba.simulator.eye;
 import org.evoloop.roomba.simulator.room.Point;
 import org.evoloop.roomba.simulator.room.Pose;
 
-/** Where a face is in the picture. Reckons for one pose after the other, in the same memory. */
+/** A face's position in the picture. Computed for one pose after another, reusing memory. */
 final class FaceView {
-    /** Nothing is nearer than this in front of the lens. */
+    /** No object is nearer to the lens than this. */
     private static final double NEAREST_MM = 20;
 
-    /** How much nearer than it is a thin face counts. */
+    /** How much nearer a thin face is assumed to be than it is. */
     private static final double THIN_MM = 15;
 
     private static final double SMALLEST_PX = 1e-6;
@@ -43,7 +43,7 @@ final class FaceView {
         }
     }
 
-    /** Takes a pose and tells whether the face is seen from it. */
+    /** Sets the pose; returns whether the face is visible from it. */
     boolean isSeen(Pose pose, double focalPx, int widthPx) {
         Point left = pose.seen(face.left());
         Point right = pose.seen(face.right());
@@ -85,7 +85,7 @@ final class FaceView {
         return leftAheadMm + share * alongAheadMm;
     }
 
-    /** The pinhole's formula, for a share of the way from the face's left end to its right one. */
+    /** The picture column of a point between the face's left (0) and right (1) end, by the pinhole formula. */
     private double columnPx(double share, double focalPx, int widthPx) {
         return widthPx / 2.0 - focalPx * (leftAsideMm + share * alongAsideMm) / aheadMm(share);
     }
@@ -94,7 +94,7 @@ final class FaceView {
         return leftPx < column + 1 && rightPx > column;
     }
 
-    /** How much of a column's width it covers, in parts of {@link Rgb#ONE}. */
+    /** How much of a column's width the face covers, in parts of {@link Rgb#ONE}. */
     int weight(int column) {
         return weight(leftPx, rightPx, column);
     }
@@ -104,17 +104,17 @@ final class FaceView {
         return share <= 0 ? 0 : (int) Math.round(share * Rgb.ONE);
     }
 
-    /** One by its distance ahead of the lens, in the middle of a column. */
+    /** The reciprocal of the distance ahead of the lens, at the centre of a column. */
     double nearness(int column) {
         return nearnessAtLeft + (clamp(column + 0.5, leftPx, rightPx) - leftPx) * nearnessPerPx;
     }
 
-    /** What is nearer is drawn over what is farther. */
+    /** Nearer faces are drawn over farther ones. */
     double drawnOver(double nearness) {
         return face.thin() ? nearness / (1 - Math.min(0.5, THIN_MM * nearness)) : nearness;
     }
 
-    /** Whether nothing behind it can be seen below its top. */
+    /** Whether nothing behind it is visible below its top. */
     boolean hidesFloor(double lensMm) {
         return face.bottomMm() <= 0 && face.topMm() >= lensMm && !face.thin();
     }

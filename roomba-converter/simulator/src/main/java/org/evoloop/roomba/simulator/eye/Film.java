@@ -2,21 +2,21 @@ package org.evoloop.roomba.simulator.eye;
 
 import java.util.SplittableRandom;
 
-/** Makes a picture of what falls through the lens: blurs, dims and adds noise. */
+/** Turns the light through the lens into a picture: blurs, dims and adds noise. */
 final class Film {
-    /** A Gaussian is nothing farther out than this. */
+    /** Where the Gaussian is cut off, in standard deviations. */
     private static final double REACH = 2.6;
 
-    /** In how many points a smear is added up. */
+    /** How many points of a motion blur are added up. */
     private static final int SMEAR_POINTS = 64;
 
-    /** What separates the points of a smear is too fine to see. */
+    /** Hides the gaps between the points of a motion blur. */
     private static final double SMALLEST_BLUR_PX = 0.3;
 
     /** A power of two. */
     private static final int NOISE_VALUES = 1 << 16;
 
-    /** Of the fractions that pixels and noise have. */
+    /** The fraction bits of pixels and noise. */
     private static final int FRACTION_BITS = 4;
 
     private static final int HALF = 1 << (FRACTION_BITS - 1);
@@ -50,7 +50,10 @@ final class Film {
         }
     }
 
-    /** Weights of the middle, its neighbours, theirs, ...; with both sides they add up to {@link Rgb#ONE}. */
+    /**
+     * Weights of the centre, its neighbours, their neighbours and so on; with both sides they add up to {@link
+     * Rgb#ONE}.
+     */
     private static int[] kernel(double blurPx, double smearPx) {
         if (blurPx == 0 && smearPx == 0) {
             return new int[] {Rgb.ONE};
@@ -77,7 +80,7 @@ final class Film {
     /**
      * The bytes of a picture.
      *
-     * @param pixels column by column, in lanes of 16 bits; left with less
+     * @param pixels column by column, in lanes of 16 bits; reduced to 12 bits in place
      */
     byte[] develop(long[] pixels, double turnRadPerS, long frameNumber) {
         for (int i = 0; i < pixels.length; i++) {
@@ -95,7 +98,7 @@ final class Film {
         return bgr;
     }
 
-    /** Blurs a column with its neighbours, and repeats its ends. */
+    /** Blurs a column with its neighbour columns, and repeats its end pixels as a margin. */
     private void blurAcross(long[] pixels, int x, int[] kernel) {
         int margin = blur.length;
         System.arraycopy(pixels, x * height, column, margin, height);
@@ -121,7 +124,7 @@ final class Film {
         }
     }
 
-    /** Blurs a column along itself, and writes what the sensor makes of it. */
+    /** Blurs a column vertically, and writes the sensor's values. */
     private void expose(byte[] bgr, int x, int noiseStart) {
         int margin = blur.length;
         int bright = light[x];

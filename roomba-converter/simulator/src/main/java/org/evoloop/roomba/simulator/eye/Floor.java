@@ -2,12 +2,12 @@ package org.evoloop.roomba.simulator.eye;
 
 import java.util.SplittableRandom;
 
-/** The floor's pattern: a square that repeats itself, at finer and coarser detail for near and far. */
+/** The floor's pattern: a repeating square, stored with finer and coarser detail for near and far. */
 final class Floor {
     private static final double FINEST_MM = 5;
     private static final int FINEST_SIZE = 512;
 
-    /** Far more than the world is wide, so that no texel's number is negative. */
+    /** Far more than the room is wide, so that texel numbers are never negative. */
     private static final double OFFSET_TEXELS = 1 << 24;
 
     private static final int PLANK_TEXELS = 32;
@@ -82,7 +82,7 @@ final class Floor {
         return halved;
     }
 
-    /** Which level to take where a pixel covers so much of the floor; 0 is the finest. */
+    /** The level of detail to use where a pixel covers this much of the floor; 0 is the finest. */
     int level(double pixelMm) {
         int level = (int) Math.ceil(Math.log(pixelMm / FINEST_MM) / Math.log(2));
         return Math.max(0, Math.min(levels.length - 1, level));

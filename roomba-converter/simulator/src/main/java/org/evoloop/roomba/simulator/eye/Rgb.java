@@ -1,8 +1,8 @@
 package org.evoloop.roomba.simulator.eye;
 
 /**
- * A colour in one long, so that one operation does for red, green and blue: a lane of 21 bits each. The lanes are wide
- * enough to weight a value in parts of 256 twice without overflowing.
+ * A colour in one long, so that one operation processes red, green and blue: a lane of 21 bits each. The lanes are wide
+ * enough to multiply a value by two weights in parts of 256 without overflow.
  */
 final class Rgb {
     static final int LANE_BITS = 21;
@@ -23,7 +23,7 @@ final class Rgb {
 
     private Rgb() {}
 
-    /** From 0xRRGGBB; neither quite black nor quite white, so that rounded sums of differences stay in their lanes. */
+    /** From 0xRRGGBB; black and white are slightly clipped, so that rounded sums of differences stay in their lanes. */
     static long of(int rgb) {
         return (lane(rgb >> 16) << (2 * LANE_BITS)) | (lane(rgb >> 8) << LANE_BITS) | lane(rgb);
     }
@@ -41,7 +41,7 @@ final class Rgb {
         return (int) Math.min(255, Math.round((value & 0xFF) * factor));
     }
 
-    /** Between two colours, the first if {@code share} is 0. */
+    /** A mix of two colours; the first if {@code share} is 0. */
     static int mixed(int rgb, int other, double share) {
         int mixed = 0;
         for (int shift = 16; shift >= 0; shift -= 8) {

@@ -10,7 +10,7 @@ import org.evoloop.roomba.simulator.room.Pose;
 import org.evoloop.roomba.simulator.room.Room;
 import org.evoloop.roomba.simulator.room.Shape;
 
-/** All that is upright in a room, as faces. What the room does not tell of their look is chosen by a seed. */
+/** All upright surfaces of a room, as faces. A seed chooses their look where the room does not specify it. */
 final class Scene {
     private static final double WALL_MM = 2_500;
     private static final double LOWEST_FURNITURE_MM = 300;
@@ -24,7 +24,7 @@ final class Scene {
     private static final int CLOTH = 0x6F7C8A;
     private static final int POST = 0x4D4D4D;
 
-    /** Where most of the light comes from. */
+    /** The main direction of the light. */
     private static final double LIGHT_RAD = Math.toRadians(60);
 
     private final List<Face> faces = new ArrayList<>();
@@ -37,7 +37,7 @@ final class Scene {
     static List<Face> of(Room room, long seed) {
         Scene scene = new Scene(seed);
         for (Shape shape : room.shapes()) {
-            // Each has a source of its own, so that a room keeps its look when something is added at its end.
+            // Each shape has its own random source, so that the look does not change when a shape is added at the end.
             Decor decor = new Decor(scene.random.split());
             if (shape.kind() == Shape.Kind.WALL) {
                 scene.addWalls(shape, decor);
@@ -71,7 +71,7 @@ final class Scene {
         }
     }
 
-    /** Bare faces; their fronts are outside if {@code outward} is 1, inside if it is -1. */
+    /** Undecorated faces; their fronts are outside if {@code outward} is 1, inside if it is -1. */
     private static List<Face> sides(Shape shape, int outward, double heightMm, int rgb, boolean bothSides) {
         List<Point> corners = shape.corners();
         double doubleArea = 0;
@@ -102,7 +102,7 @@ final class Scene {
         double halfMm = marker.boardMm() / 2;
         double bottomMm = marker.heightMm() - halfMm;
         double topMm = marker.heightMm() + halfMm;
-        // Those who look at it have its right hand at their left.
+        // Seen from the front, the marker's right side is on the left.
         Point left = marker.pose().ahead(0, -halfMm);
         Point right = marker.pose().ahead(0, halfMm);
         if (bottomMm > 0) {

@@ -1,6 +1,6 @@
 package org.evoloop.roomba.simulator.eye;
 
-/** The dictionary 4x4_50 of ArUco, as OpenCV has it. */
+/** ArUco's dictionary 4x4_50, as in OpenCV. */
 final class TagCode {
     static final int CELLS = 4;
 
@@ -15,7 +15,7 @@ final class TagCode {
 
     private TagCode() {}
 
-    /** Whether a cell is white, counted from the top left one, which is 0 and 0. */
+    /** Whether a cell is white; the top left one has row 0 and column 0. */
     static boolean isWhite(int id, int row, int column) {
         return ((CODES[id] >> (CELLS * CELLS - 1 - row * CELLS - column)) & 1) == 1;
     }

@@ -1,6 +1,6 @@
 /**
- * What a camera on the simulated robot sees: pictures in perspective of its room from its true pose, with what real
- * lenses and sensors add. The same room, pose, options and frame number give the same picture.
+ * What a camera on the simulated robot sees: perspective pictures of its room from its true pose, with the effects of
+ * real lenses and sensors. The same room, pose, options and frame number give the same picture.
  *
  * <p>This package may use {@code simulator.room}.
  */

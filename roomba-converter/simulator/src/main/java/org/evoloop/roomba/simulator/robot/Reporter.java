@@ -51,7 +51,7 @@ final class Reporter {
         return !stream.isEmpty() && !paused;
     }
 
-    /** How many ids the stream has, paused or not. */
+    /** The number of packets in the stream, paused or not. */
     int streamPackets() {
         return stream.size();
     }

@@ -32,7 +32,7 @@ public enum RobotActivity {
     /** Looks for its dock. */
     DOCK;
 
-    /** Whether the robot moves of its own accord. */
+    /** Whether the robot drives by itself. */
     public boolean isRunning() {
         return this != OFF && this != ON;
     }

@@ -8,15 +8,15 @@ import org.evoloop.roomba.oi.StreamFrame.Checksum;
 import org.evoloop.roomba.simulator.room.Room;
 
 /**
- * What can be chosen about a simulated robot: where it lives, and how it misbehaves. {@link #builder()} begins with a
- * well-behaved robot on an open plain.
+ * The options of a simulated robot: its room and its faults. {@link #builder()} starts with a robot without faults on
+ * an open plain.
  *
  * <p>Threading: immutable; the builder is not thread-safe.
  *
  * @since 0.1
  */
 public final class RobotOptions {
-    /** Less would not suffice to drive half a metre and back. */
+    /** In less time the robot could not drive half a metre and back. */
     public static final int SHORTEST_SPOT_MILLIS = 8_000;
 
     /** Ten minutes. */
@@ -87,30 +87,30 @@ public final class RobotOptions {
                 problems);
     }
 
-    /** A well-behaved robot on an open plain. */
+    /** A robot without faults on an open plain. */
     public static RobotOptions defaults() {
         return builder().build();
     }
 
-    /** Begins with a well-behaved robot on an open plain. */
+    /** A builder that starts with a robot without faults on an open plain. */
     public static Builder builder() {
         return new Builder();
     }
 
-    /** Where it lives; it begins at the room's start. */
+    /** The robot's room; the robot starts at the room's start. */
     public Room room() {
         return room;
     }
 
     /**
-     * How long spot cleaning lasts, {@value #SHORTEST_SPOT_MILLIS} to {@value #LONGEST_SPOT_MILLIS}; iRobot does not
-     * tell how long it is in truth.
+     * The duration of spot cleaning, {@value #SHORTEST_SPOT_MILLIS} to {@value #LONGEST_SPOT_MILLIS}; iRobot does not
+     * document the real one.
      */
     public int spotDurationMillis() {
         return spotDurationMillis;
     }
 
-    /** How full the battery is at first, 1 to 100. */
+    /** The battery's initial charge, 1 to 100. */
     public int batteryPercent() {
         return batteryPercent;
     }
@@ -120,37 +120,37 @@ public final class RobotOptions {
         return baud;
     }
 
-    /** What the boot text tells; old versions report wrong distances (before 3.3.0) and angles (up to 3.4.0). */
+    /** The version in the boot text; old versions report wrong distances (before 3.3.0) and angles (up to 3.4.0). */
     public FirmwareVersion firmware() {
         return firmware;
     }
 
-    /** Of stream frames; real robots count the header. */
+    /** How the checksum of stream frames is computed; real robots include the header. */
     public Checksum checksum() {
         return checksum;
     }
 
-    /** What packet 35 reports too much, 0 or 1, as some robots with Wi-Fi do. */
+    /** How much packet 35 is too high, 0 or 1, as with some robots with Wi-Fi. */
     public int modeOffset() {
         return modeOffset;
     }
 
-    /** Whether stray bytes come between replies and frames. */
+    /** Whether stray bytes occur between replies and frames. */
     public boolean noise() {
         return noise;
     }
 
-    /** The part of all bytes, to and from the robot, that get lost, 0 to 0.5. */
+    /** The part of all bytes, to and from the robot, that is lost, 0 to 0.5. */
     public double dropShare() {
         return dropShare;
     }
 
-    /** The part of all bytes, to and from the robot, that get changed, 0 to 0.5. */
+    /** The part of all bytes, to and from the robot, that is changed, 0 to 0.5. */
     public double corruptShare() {
         return corruptShare;
     }
 
-    /** Chooses which bytes these are; the same seed, the same bytes. */
+    /** The seed that selects these bytes; the same seed selects the same bytes. */
     public long seed() {
         return seed;
     }
@@ -160,12 +160,12 @@ public final class RobotOptions {
         return sleepy;
     }
 
-    /** Whether commands that come too soon after one that changes the mode are ignored. */
+    /** Whether commands sent too soon after a mode change are ignored. */
     public boolean strictModeWindow() {
         return strictModeWindow;
     }
 
-    /** Collects options; each method sets what the option of the same name says. */
+    /** Collects options; each method sets the option of the same name. */
     public static final class Builder {
         private Room room = Room.OPEN;
         private int spotDurationMillis = 45_000;
@@ -264,7 +264,7 @@ public final class RobotOptions {
         /**
          * The options.
          *
-         * @throws IllegalArgumentException a line for each that is out of its range, with its value and what is allowed
+         * @throws IllegalArgumentException with one line for each value out of range, naming the value and the range
          */
         public RobotOptions build() {
             return new RobotOptions(this);

@@ -13,16 +13,16 @@ import org.evoloop.roomba.simulator.room.Pose;
 /**
  * The true state of a simulated robot at one moment, independent of its sensors.
  *
- * @param timeMillis since the robot was made
- * @param pose where the robot's centre is in its room, and where it looks
- * @param leftMmPerS how fast the left wheel turns
- * @param rightMmPerS how fast the right wheel turns
+ * @param timeMillis since the robot was created
+ * @param pose the position of the robot's centre in its room, and its heading
+ * @param leftMmPerS the left wheel's speed
+ * @param rightMmPerS the right wheel's speed
  * @param pressed the buttons held down
  * @param streaming whether frames are being sent
- * @param surroundings what bumps, cliffs, wheel drops and the dock are to the robot
- * @param asleep whether it neither receives nor sends anything until it is woken
- * @param batteryPercent how full the battery is
- * @param charging whether the dock fills it
+ * @param surroundings the bumps, cliffs, wheel drops and dock at the robot's place
+ * @param asleep whether the robot neither receives nor sends until it is woken
+ * @param batteryPercent the battery's charge
+ * @param charging whether the dock charges it
  * @param baud the rate of the robot's port
  * @since 0.1
  */
@@ -45,17 +45,17 @@ public record RobotState(
         pressed = Set.copyOf(pressed);
     }
 
-    /** Of the robot's centre. */
+    /** The x coordinate of the robot's centre. */
     public double xMm() {
         return pose.xMm();
     }
 
-    /** Of the robot's centre. */
+    /** The y coordinate of the robot's centre. */
     public double yMm() {
         return pose.yMm();
     }
 
-    /** From the x axis, counterclockwise, -180 to 180. */
+    /** The heading from the x axis, counterclockwise, -180 to 180. */
     public double headingDeg() {
         return pose.headingDeg();
     }

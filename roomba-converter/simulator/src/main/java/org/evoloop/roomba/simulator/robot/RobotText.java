@@ -5,9 +5,12 @@ import java.util.Locale;
 import org.evoloop.roomba.oi.FirmwareVersion;
 import org.evoloop.roomba.simulator.body.Body;
 
-/** What the robot prints for people among its replies. Robots differ in all but the marks that programs look for. */
+/**
+ * Text for people that the robot prints between its replies. Only the marks that programs search for are the same on
+ * all robots.
+ */
 final class RobotText {
-    /** From here on robots have another processor, and a boot text without a boot loader's. */
+    /** From this version on robots have another processor, and a boot text without a boot loader's part. */
     private static final FirmwareVersion FIRST_STM32 = new FirmwareVersion(3, 5, 0);
 
     private static final int SECONDS_PER_MINUTE = 60;
@@ -15,7 +18,7 @@ final class RobotText {
 
     private RobotText() {}
 
-    /** As soon as the robot is reset: its boot loader's words, or the last of the program that ends. */
+    /** Printed at a reset: the boot loader's text, or the last text of the program that ends. */
     static byte[] resetting(FirmwareVersion firmware) {
         return firmware.compareTo(FIRST_STM32) < 0 ? bytes("""
                         bl-start
@@ -26,7 +29,7 @@ final class RobotText {
                         """);
     }
 
-    /** When its program has started; that of the newer processor finds the line low at first, which reads as a byte. */
+    /** Printed when the program has started; on the newer processor the line is low at first, which reads as a byte. */
     static byte[] started(FirmwareVersion firmware) {
         return firmware.compareTo(FIRST_STM32) < 0 ? bytes("""
                         Roomba by iRobot!
@@ -41,7 +44,7 @@ final class RobotText {
                         """, firmware);
     }
 
-    /** Once a second while it charges. */
+    /** Printed once a second while the robot charges. */
     static byte[] charging(Body body, long seconds) {
         return bytes(
                 "bat:   min %d  sec %d  mV %d  mA %d  tenths-deg-C %d  mAH %d  state 5  \n",
@@ -53,12 +56,12 @@ final class RobotText {
                 body.battery().chargeMilliAmpHours());
     }
 
-    /** When it falls asleep. */
+    /** Printed when the robot falls asleep. */
     static byte[] fallingAsleep() {
         return bytes("processor-sleep\n");
     }
 
-    /** When it wakes. */
+    /** Printed when the robot wakes. */
     static byte[] waking(String waker, long sleptSeconds) {
         return bytes(
                 "%s-wakeup\nslept for %d minutes %d seconds\n",

@@ -16,7 +16,7 @@ import org.evoloop.roomba.simulator.room.Pose;
 final class Sensors {
     static final int TEMPERATURE_CELSIUS = 25;
 
-    /** The cliff sensors' signal over a floor of middling brightness. */
+    /** The cliff sensors' signal over a floor of medium brightness. */
     private static final int FLOOR_SIGNAL = 2_700;
 
     private static final int CLIFF_SIGNAL = 30;
@@ -63,7 +63,7 @@ final class Sensors {
         this.angle = new Trip(angleFactor * body.turnedDeg());
     }
 
-    /** A count since the last look at it; the fraction that a look leaves over goes into the next. */
+    /** A counter that is reset by reading; the fraction is kept for the next reading. */
     private static final class Trip {
         private double seen;
 
@@ -153,7 +153,7 @@ final class Sensors {
         return bits;
     }
 
-    /** All three receivers report the same value: which of the dock's beams goes to which side is not documented. */
+    /** All three receivers report the same value: which beam goes to which side is not documented. */
     private int infrared() {
         Pose dock = body.room().dock().orElse(null);
         if (dock == null || !body.surroundings().seesDock()) {

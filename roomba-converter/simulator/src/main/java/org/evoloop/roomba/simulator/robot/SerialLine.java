@@ -72,7 +72,7 @@ final class SerialLine {
         return (byte) (octet ^ (1 + chance.nextInt(255)));
     }
 
-    /** Stray bytes for the time between two ticks; mostly none. */
+    /** Stray bytes for the time between two ticks; usually none. */
     byte[] noise() {
         if (!options.noise() || noiseChance.nextDouble() >= NOISE_PER_TICK) {
             return new byte[0];

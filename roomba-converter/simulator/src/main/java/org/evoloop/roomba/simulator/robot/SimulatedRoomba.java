@@ -60,9 +60,9 @@ public final class SimulatedRoomba {
     private long ticks;
 
     /**
-     * A robot that waits to be used.
+     * A robot in standby.
      *
-     * @param sink takes what the robot sends: whole replies, frames and texts as the line leaves them, in arrays that
+     * @param sink receives what the robot sends: whole replies, frames and texts as changed by the line, in arrays that
      *     it may keep
      */
     public SimulatedRoomba(RobotOptions options, Consumer<byte[]> sink) {
@@ -73,7 +73,7 @@ public final class SimulatedRoomba {
         this.firmware = new Firmware(body, options, this::send);
     }
 
-    /** Takes what a client sends, from the buffer's start. Replies to queries go out within this call. */
+    /** Receives what a client sends, from the buffer's start. Replies to queries are sent within this call. */
     public synchronized void receive(byte[] buffer, int length) {
         byte[] arrived = line.toRobot(buffer, length);
         for (int i = 0; i < arrived.length && isListening(); i++) {
@@ -122,7 +122,7 @@ public final class SimulatedRoomba {
         }
     }
 
-    /** Lets {@value #TICK_MILLIS} ms of robot time pass; if a stream is on, its frame goes out at the end. */
+    /** Simulates {@value #TICK_MILLIS} ms of robot time; if a stream is on, its frame is sent at the end. */
     public synchronized void tick() {
         ticks++;
         if (wakeLine.tick()) {
@@ -158,7 +158,7 @@ public final class SimulatedRoomba {
         body.allowCharger(true);
         asleep = true;
         asleepSinceTick = ticks;
-        // Asleep, its program has ended; what it held is gone.
+        // Sleep has ended its program; its state is lost.
         boot();
         parser = new CommandParser(this::handle);
     }
@@ -173,9 +173,9 @@ public final class SimulatedRoomba {
     }
 
     /**
-     * Somebody presses one of the robot's own buttons. It shows for as many of the ticks to come as the time covers,
-     * and the robot obeys at once. A button that is still down is let go for a moment first, when its time is over.
-     * Asleep, CLEAN wakes the robot and turns it on, and the others do nothing; while it boots all of them do nothing.
+     * Presses one of the robot's own buttons. The button stays down for the ticks within this time, and the robot
+     * reacts at once. A button that is already down is released for a moment first. Asleep, CLEAN wakes the robot and
+     * switches it on, and the others do nothing; while it boots no button does anything.
      *
      * @param durationMillis how long it is held; at least one tick
      */
@@ -194,9 +194,9 @@ public final class SimulatedRoomba {
     }
 
     /**
-     * The client pulls the line to the BRC pin low, or lets it go high again. Low for 50 ms wakes the robot, or begins
-     * its idle time anew; three pulses of 50 to 500 ms in the time from 2 to 20 s after power-on or waking make it go
-     * to 19200 baud. A sleepy robot has no such line.
+     * Pulls the line to the BRC pin low, or lets it go high again. Low for 50 ms wakes the robot, or restarts its idle
+     * time; three pulses of 50 to 500 ms between 2 and 20 s after power-on or waking switch it to 19200 baud. A sleepy
+     * robot has no such line.
      */
     public synchronized void wakeLine(boolean low) {
         if (!options.sleepy() && wakeLine.set(low)) {
@@ -204,7 +204,7 @@ public final class SimulatedRoomba {
         }
     }
 
-    /** As one pulse of the wake line that is too long to count for 19200 baud, all at once. */
+    /** Sends one pulse on the wake line, too long to count for 19200 baud, in a single call. */
     public synchronized void wakeUp() {
         if (!options.sleepy()) {
             wakeBy("key");
@@ -213,31 +213,31 @@ public final class SimulatedRoomba {
     }
 
     /**
-     * Tells at what rate the client's port runs; unless it is the robot's own, both hear garbage.
+     * Sets the rate of the client's port; unless it equals the robot's, both receive garbage.
      *
-     * @param bitsPerSecond 0, as at first, is always the right one
+     * @param bitsPerSecond 0, the initial value, always matches
      */
     public synchronized void clientBaud(int bitsPerSecond) {
         line.setClientBaud(bitsPerSecond);
     }
 
-    /** At what rate the robot's own port runs, in bit/s. */
+    /** The rate of the robot's own port, in bit/s. */
     public synchronized int baud() {
         return line.baud();
     }
 
-    /** Somebody holds the robot up in the air. */
+    /** Lifts the robot off the floor. */
     public synchronized void lift() {
         body.setLifted(true);
     }
 
-    /** Somebody sets the robot down where it was. */
+    /** Sets the robot down where it was lifted. */
     public synchronized void setDown() {
         body.setLifted(false);
     }
 
     /**
-     * Somebody carries the robot elsewhere; in the air or on the floor, as it was.
+     * Moves the robot elsewhere; it stays in the air or on the floor.
      *
      * @throws IllegalArgumentException if there is no room for it
      */
@@ -249,14 +249,14 @@ public final class SimulatedRoomba {
         body.place(pose);
     }
 
-    /** Somebody puts the robot onto its dock; if there is none, somebody pushes one under the robot. */
+    /** Puts the robot onto its dock; if the room has none, a dock is added at the robot. */
     public synchronized void dock() {
         body.setLifted(false);
         body.room().dock().ifPresentOrElse(body::place, () -> body.moveDock(body.pose()));
     }
 
     /**
-     * Somebody pulls the robot backwards off its dock.
+     * Pulls the robot backwards off its dock.
      *
      * @throws IllegalArgumentException if it is not on one, or there is no room behind it
      */
@@ -267,13 +267,13 @@ public final class SimulatedRoomba {
         place(body.pose().at(body.pose().ahead(-UNDOCK_MM, 0)));
     }
 
-    /** Somebody hangs the room's marker elsewhere; if there is none, a usual one. */
+    /** Moves the room's marker; if there is none, adds a default one. */
     public synchronized void moveMarker(Pose pose) {
         body.setMarker(body.room().marker().map(marker -> marker.movedTo(pose)).orElseGet(() -> Marker.at(pose)));
     }
 
     /**
-     * Somebody hangs a cloth over the marker, or takes it off.
+     * Covers the marker with a cloth, or uncovers it.
      *
      * @throws IllegalArgumentException if there is no marker
      */
@@ -285,7 +285,7 @@ public final class SimulatedRoomba {
         body.setMarker(marker.covered(cloth));
     }
 
-    /** The truth at this moment. */
+    /** The robot's current true state. */
     public synchronized RobotState state() {
         Wheel left = body.left();
         Wheel right = body.right();

@@ -5,15 +5,15 @@ import org.evoloop.roomba.oi.ActuatorCommand.Song;
 import org.evoloop.roomba.simulator.body.Body;
 
 /**
- * Stores songs and plays one at a time. The songs lie one behind the other in its memory: a song of more notes than its
- * place holds takes the places of those after it, and what is beyond the last is lost.
+ * Stores songs and plays one at a time. The songs are stored one after the other: a song with more notes than its slot
+ * holds overwrites those after it, and notes beyond the last slot are lost.
  */
 final class Speaker {
     private static final double DURATIONS_PER_SECOND = 64;
 
     private final int[] durations = new int[Song.SONGS * Song.NOTES_PER_SONG];
 
-    /** How many notes each song has; 0 if it was never stored. */
+    /** The number of notes of each song; 0 if it was never stored. */
     private final int[] lengths = new int[Song.SONGS];
 
     private int number;
@@ -47,7 +47,7 @@ final class Speaker {
         secondsLeft = Math.max(0, secondsLeft - Body.TICK_SECONDS);
     }
 
-    /** Of the song that plays or played last. */
+    /** The number of the song that is playing or played last. */
     int number() {
         return number;
     }

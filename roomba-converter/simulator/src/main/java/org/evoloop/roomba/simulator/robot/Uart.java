@@ -3,10 +3,10 @@ package org.evoloop.roomba.simulator.robot;
 import java.io.ByteArrayOutputStream;
 
 /**
- * What a serial port reads of bytes that were sent at another rate: the same levels on the wire, looked at too often.
+ * What a serial port reads when bytes were sent at another rate: the same levels on the wire, sampled at wrong times.
  */
 final class Uart {
-    /** A low start bit, eight bits from the lowest on, and a high stop bit. */
+    /** A low start bit, eight bits with the lowest first, and a high stop bit. */
     private static final int BITS_PER_BYTE = 10;
 
     private final byte[] sent;
@@ -19,15 +19,14 @@ final class Uart {
         this.sentPerReadBit = sentPerReadBit;
     }
 
-    /** Bytes sent one right after the other on an idle line, as they are read; also those whose stop bit is wrong. */
+    /** Bytes sent back to back on an idle line, as they are read; also those with a wrong stop bit. */
     static byte[] read(byte[] sent, int length, int sentBaud, int readBaud) {
         return new Uart(sent, length, (double) sentBaud / readBaud).read();
     }
 
     private byte[] read() {
         ByteArrayOutputStream read = new ByteArrayOutputStream();
-        // Time is counted in bits as they were sent.
-        // The line was idle before.
+        // Time is counted in sent bits. The line was idle before.
         double time = -1;
         while (true) {
             time = next(time, true);
@@ -44,7 +43,7 @@ final class Uart {
         }
     }
 
-    /** When the line is at this level next; the end if never. */
+    /** The next time at which the line has this level; the end if never. */
     private double next(double from, boolean high) {
         double time = from;
         while (time < (long) length * BITS_PER_BYTE && isHigh(time) != high) {

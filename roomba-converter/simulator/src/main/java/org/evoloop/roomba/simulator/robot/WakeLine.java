@@ -3,8 +3,8 @@ package org.evoloop.roomba.simulator.robot;
 import org.evoloop.roomba.simulator.body.Body;
 
 /**
- * The line that wakes the robot when it goes low, and that can make it change to 19200 baud: by three short pulses in
- * the time after power-on (specification, "Serial Port Settings"). Time is counted in ticks.
+ * The line that wakes the robot when it goes low, and that switches it to 19200 baud by three short pulses in the time
+ * after power-on (specification, "Serial Port Settings"). Time is counted in ticks.
  */
 final class WakeLine {
     /** A pulse of 50 ms spans three full ticks or more. */
@@ -13,7 +13,7 @@ final class WakeLine {
     private static final int LONGEST_SHORT_PULSE_TICKS = 500 / Body.TICK_MILLIS + 1;
     private static final int PULSES = 3;
 
-    /** The specification has the client wait for 2 s; when it is too late it does not say. */
+    /** The specification requires the client to wait for 2 s; it does not say when the window ends. */
     private static final int WINDOW_BEGIN_TICKS = 2_000 / Body.TICK_MILLIS;
 
     private static final int WINDOW_END_TICKS = 20_000 / Body.TICK_MILLIS;
@@ -29,7 +29,7 @@ final class WakeLine {
     }
 
     /**
-     * Pulls the line low or lets it go.
+     * Pulls the line low or releases it.
      *
      * @return whether this completes the pulses for 19200 baud
      */
@@ -48,7 +48,7 @@ final class WakeLine {
         return false;
     }
 
-    /** Lets a tick pass; returns whether the robot now notices that the line is low. */
+    /** Simulates one tick; returns whether the robot now notices that the line is low. */
     boolean tick() {
         ticksOn++;
         if (low) {

@@ -1,7 +1,7 @@
 package org.evoloop.roomba.simulator.room;
 
 /**
- * A place on the floor.
+ * A point on the floor.
  *
  * @since 0.1
  */

@@ -3,26 +3,26 @@ package org.evoloop.roomba.simulator.room;
 import java.util.Locale;
 
 /**
- * Where the robot's centre is and where it looks. Without a room the robot begins at the origin and looks along x; y is
- * to its left.
+ * The position of the robot's centre and its heading. Without a room the robot starts at the origin, heading along x; y
+ * is to its left.
  *
  * @param headingRad from the x axis, counterclockwise, -pi to pi
  * @since 0.1
  */
 public record Pose(double xMm, double yMm, double headingRad) {
-    /** Between the points where the wheels touch the floor, as measured by iRobot. */
+    /** The distance between the wheels' contact points, as measured by iRobot. */
     public static final double WHEEL_BASE_MM = 235.0;
 
     private static final double STRAIGHT_RAD = 1e-12;
 
-    /** In the origin, heading along the x axis. */
+    /** At the origin, heading along the x axis. */
     public static final Pose ORIGIN = new Pose(0, 0, 0);
 
     public Pose {
         headingRad = Math.IEEEremainder(headingRad, 2 * Math.PI);
     }
 
-    /** The pose after both wheels have rolled so far at steady speeds: the exact arc of a circle. */
+    /** The pose after both wheels have rolled these distances at steady speeds: an exact arc of a circle. */
     public Pose rolled(double leftMm, double rightMm) {
         double forwardMm = (leftMm + rightMm) / 2;
         double turnRad = (rightMm - leftMm) / WHEEL_BASE_MM;
@@ -42,12 +42,12 @@ public record Pose(double xMm, double yMm, double headingRad) {
         return Math.toDegrees(headingRad);
     }
 
-    /** Where the robot's centre is. */
+    /** The position of the robot's centre. */
     public Point center() {
         return new Point(xMm, yMm);
     }
 
-    /** The same heading somewhere else. */
+    /** The same heading at another position. */
     public Pose at(Point center) {
         return new Pose(center.xMm(), center.yMm(), headingRad);
     }
@@ -59,7 +59,7 @@ public record Pose(double xMm, double yMm, double headingRad) {
         return new Point(xMm + forwardMm * cos - leftMm * sin, yMm + forwardMm * sin + leftMm * cos);
     }
 
-    /** How far a point is ahead of the centre (x) and to the left of it (y); the inverse of {@link #ahead}. */
+    /** The position of a point relative to the robot, ahead (x) and to the left (y); the inverse of {@link #ahead}. */
     public Point seen(Point point) {
         double cos = Math.cos(headingRad);
         double sin = Math.sin(headingRad);
@@ -72,17 +72,17 @@ public record Pose(double xMm, double yMm, double headingRad) {
         return String.format(Locale.ROOT, "(%.0f, %.0f) mm, %.0f degrees", xMm, yMm, headingDeg());
     }
 
-    /** How far away a point is. */
+    /** The distance to a point. */
     public double distanceMmTo(Point point) {
         return distanceMmTo(point.xMm(), point.yMm());
     }
 
-    /** How far away a point is. */
+    /** The distance to a point. */
     public double distanceMmTo(double otherXMm, double otherYMm) {
         return Math.hypot(otherXMm - xMm, otherYMm - yMm);
     }
 
-    /** How far the robot must turn to look at a point, counterclockwise, -pi to pi. */
+    /** How far the robot must turn to face a point, counterclockwise, -pi to pi. */
     public double bearingRadTo(double otherXMm, double otherYMm) {
         return Math.IEEEremainder(Math.atan2(otherYMm - yMm, otherXMm - xMm) - headingRad, 2 * Math.PI);
     }

@@ -13,41 +13,42 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Rooms by chance: 4 to 6 m wide and long, 3 to 8 pieces of furniture in many colours, a robot anywhere that looks
- * anywhere, and a marker on a wall or a stand. The same seed is the same room.
+ * Random rooms: 4 to 6 m wide and long, with 3 to 8 pieces of furniture in many colours, a robot at a random pose, and
+ * a marker on a wall or a stand. The same seed gives the same room.
  *
  * <p>Threading: used by one thread.
  *
  * @since 0.1
  */
 public final class RandomRooms {
-    /** How far before the marker the robot is meant to come to rest. */
+    /** How far in front of the marker the robot should stop. */
     public static final double GOAL_MM = 400;
 
-    /** How near to its marker the robot begins. */
+    /** The least distance from the marker at which the robot starts. */
     public static final double NEAREST_MARKER_MM = 500;
-    /** How far from its marker the robot begins. */
+    /** The greatest distance from the marker at which the robot starts. */
     public static final double FARTHEST_MARKER_MM = 3_500;
 
     private static final int[] COLORS = {
         0xC92A2A, 0x1971C2, 0x2F9E44, 0xE8590C, 0x9C36B5, 0x0C8599, 0xF2C037, 0xD6336C, 0x3B3B45, 0x8A5A33, 0xD9D5CC
     };
 
-    /** Between the robot at its goal and what is beside it. */
+    /** The least distance between the robot at its goal and anything else. */
     private static final double GOAL_CLEARANCE_MM = 60;
 
-    /** Between the robot on its way and what is beside it. */
+    /** The least distance between the robot on its way and anything else. */
     private static final double WAY_CLEARANCE_MM = 40;
 
-    /** Farther to the side a marker is seen too narrow from far away. */
+    /** Seen from further to the side than this, a marker is too narrow at a distance. */
     private static final double MOST_ASIDE_RAD = Math.toRadians(50);
 
     /**
-     * Between furniture and the lines from the start to the board's edges: the camera turns about the robot's middle.
+     * The least distance of furniture from the lines between the start and the board's edges: the camera turns about
+     * the robot's centre.
      */
     private static final double SIGHT_CLEARANCE_MM = 100;
 
-    /** From a stand to what is around it. */
+    /** The free space around a stand. */
     private static final double STAND_CLEARANCE_MM = 250;
 
     private static final double GRID_MM = 100;
@@ -72,10 +73,10 @@ public final class RandomRooms {
     }
 
     /**
-     * A room with a marker so far from the robot, that can be seen from the start: no furniture is between the two, and
-     * the marker looks at most 50 degrees past the start. Where the robot looks is left to chance, so that it may have
-     * to turn first. {@value #GOAL_MM} mm before the marker, on the way from the start and straight in front of it,
-     * there is room for the robot, and it can get there; but furniture may be close to the way.
+     * A room with a marker at such a distance from the robot that is visible from the start: no furniture is in
+     * between, and the start is at most 50 degrees off the marker's axis. The robot's heading is random, so it may have
+     * to turn first. {@value #GOAL_MM} mm in front of the marker, on the way from the start and straight in front of
+     * it, there is room for the robot, and it can get there; but furniture may be close to the way.
      */
     public static Room withMarker(long seed, double nearestMm, double farthestMm) {
         if (!(nearestMm >= NEAREST_MARKER_MM && nearestMm < farthestMm && farthestMm <= FARTHEST_MARKER_MM)) {
@@ -126,7 +127,7 @@ public final class RandomRooms {
         return shapes;
     }
 
-    /** Along a wall, or anywhere and turned anyhow. */
+    /** A piece of furniture along a wall, or anywhere at any angle. */
     private Shape piece() {
         double halfWidthMm = between(150, 600);
         double halfDepthMm = between(120, 300);
@@ -157,7 +158,7 @@ public final class RandomRooms {
                 || one.contains(other.corners().get(0));
     }
 
-    /** The room with a robot in it; null if none was found a place. */
+    /** The room with a robot in it; null if no place was found. */
     private @Nullable Room withRobot(List<Shape> shapes) {
         Room furnished = Room.OPEN.withShapes(shapes);
         for (int tries = 0; tries < TRIES; tries++) {
@@ -191,7 +192,7 @@ public final class RandomRooms {
         return null;
     }
 
-    /** Whether the robot sees the marker from its start, once it has turned to it. */
+    /** Whether the robot can see the marker from its start after turning towards it. */
     private static boolean isSeen(Room room, Marker marker) {
         Point start = room.start().center();
         double halfMm = marker.boardMm() / 2 + SIGHT_CLEARANCE_MM;
@@ -207,7 +208,7 @@ public final class RandomRooms {
                         .noneMatch(piece -> overlap(sight, piece));
     }
 
-    /** Where a robot comes to rest that drives straight from the start to the marker. */
+    /** Where the robot stops when it drives straight from the start to the marker. */
     private static Pose onTheWay(Room room, Marker marker) {
         Pose place = marker.pose();
         double bearingRad = place.bearingRadTo(room.start().xMm(), room.start().yMm());
@@ -232,7 +233,7 @@ public final class RandomRooms {
         return new Pose(between(0, widthMm), between(0, lengthMm), anyHeadingRad());
     }
 
-    /** A stand needs a place of its own; on a wall, the board must not be behind furniture. */
+    /** A stand needs free space; on a wall, the board must not be behind furniture. */
     private static boolean isOpenAround(Room room, Marker marker) {
         Pose front = marker.before(TOUCH_MM);
         double halfMm = marker.boardMm() / 2;
@@ -244,7 +245,7 @@ public final class RandomRooms {
                                 && room.touched(front, STAND_CLEARANCE_MM).isEmpty()));
     }
 
-    /** The parts of the floor that the robot can drive to from its start. */
+    /** The cells of the floor that the robot can reach from its start. */
     private Set<Cell> reached(Room room) {
         Set<Cell> reached = new HashSet<>(Set.of(new Cell(0, 0)));
         Deque<Cell> next = new ArrayDeque<>(reached);

@@ -7,32 +7,32 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where the robot lives: lengths in mm, angles counterclockwise from the x axis.
+ * The robot's surroundings: lengths in mm, angles counterclockwise from the x axis.
  *
  * <p>Threading: immutable.
  *
  * @since 0.1
  */
 public final class Room {
-    /** A plain without end and without a dock; the robot begins at the origin. */
+    /** An endless plain without a dock; the robot starts at the origin. */
     public static final Room OPEN = new Room(List.of(), null, Pose.ORIGIN, null);
 
-    /** Of the robot's body. */
+    /** The radius of the robot's body. */
     public static final double ROBOT_RADIUS_MM = 170;
 
-    /** From the centre of a docked robot to the dock's upright part, so near that the bumper is almost touched. */
+    /** From the centre of a docked robot to the dock's upright part, almost touching the bumper. */
     public static final double DOCK_DISTANCE_MM = ROBOT_RADIUS_MM + 6;
 
-    /** Of the dock's upright part, to either side. */
+    /** Half the width of the dock's upright part. */
     public static final double DOCK_HALF_WIDTH_MM = 70;
 
-    /** From how far the robot sees the dock's beams. */
+    /** The range of the dock's beams. */
     private static final double DOCK_RANGE_MM = 3_000;
 
     /** How far to either side of its front the dock's beams reach. */
     private static final double DOCK_BEAM_RAD = Math.toRadians(50);
 
-    /** A disc between two walls of a corner is pushed to and fro; so many times are plenty. */
+    /** In a corner, a disc is pushed back and forth between two walls; this many times are enough. */
     private static final int MOST_PUSHES = 12;
 
     private static final double TOUCH_MM = 1e-6;
@@ -66,8 +66,8 @@ public final class Room {
     /**
      * A room.
      *
-     * @param dock where the robot's centre is when it is docked, and where it looks then: at the dock; null for none
-     * @param start where the robot begins
+     * @param dock the pose of a docked robot, facing the dock; null for no dock
+     * @param start where the robot starts
      * @throws IllegalArgumentException if the robot cannot stand at its start
      */
     public static Room of(List<Shape> shapes, @Nullable Pose dock, Pose start) {
@@ -93,52 +93,52 @@ public final class Room {
                 dock.ahead(DOCK_DISTANCE_MM, DOCK_HALF_WIDTH_MM), dock.ahead(DOCK_DISTANCE_MM, -DOCK_HALF_WIDTH_MM));
     }
 
-    /** The same room with other things in it, wherever the robot begins. */
+    /** A copy with other shapes; the robot's start is not checked. */
     Room withShapes(List<Shape> others) {
         return new Room(others, dock, start, marker);
     }
 
-    /** The same room with its dock, the only one, elsewhere. */
+    /** A copy with its only dock elsewhere. */
     public Room withDock(Pose place) {
         return new Room(shapes, place, start, marker);
     }
 
-    /** The same room with this marker, the only one; null for none. */
+    /** A copy with this as its only marker; null for none. */
     public Room withMarker(@Nullable Marker other) {
         return new Room(shapes, dock, start, other);
     }
 
-    /** The tag that tells robots with a camera where the starting point is. */
+    /** The tag that marks the starting point for robots with a camera. */
     public Optional<Marker> marker() {
         return Optional.ofNullable(marker);
     }
 
-    /** What stands in it, in the order of its file. */
+    /** The shapes in it, in the order of its file. */
     public List<Shape> shapes() {
         return shapes;
     }
 
-    /** Where a docked robot stands and looks; empty if there is no dock. */
+    /** The pose of a docked robot; empty if there is no dock. */
     public Optional<Pose> dock() {
         return Optional.ofNullable(dock);
     }
 
-    /** Where the robot begins. */
+    /** Where the robot starts. */
     public Pose start() {
         return start;
     }
 
-    /** Whether nothing ends the robot's straight runs. */
+    /** Whether nothing can stop the robot when it drives straight on. */
     public boolean isOpen() {
         return shapes.isEmpty();
     }
 
-    /** Whether there is no floor. */
+    /** Whether there is no floor at this point. */
     public boolean isCliff(Point point) {
         return cliffs.stream().anyMatch(cliff -> cliff.contains(point));
     }
 
-    /** Whether a robot can be put here: it touches nothing, and its centre has a floor. */
+    /** Whether a robot can be placed here: it touches nothing, and there is floor under its centre. */
     public boolean isFree(Pose pose) {
         Point center = pose.center();
         boolean inside = shapes.stream().anyMatch(shape -> shape.kind() != Shape.Kind.WALL && shape.contains(center));
@@ -149,7 +149,7 @@ public final class Room {
         return walls.stream().map(wall -> wall.nearest(center));
     }
 
-    /** The points of walls that are no farther from the robot's body than this. */
+    /** The points of walls within this distance of the robot's body. */
     public List<Point> touched(Pose pose, double withinMm) {
         return nearestWalls(pose.center())
                 .filter(point -> pose.distanceMmTo(point) <= ROBOT_RADIUS_MM + withinMm)
@@ -157,8 +157,8 @@ public final class Room {
     }
 
     /**
-     * Where a robot comes to that wants to get from one pose to another near it: there, or as far as walls let it
-     * slide along them.
+     * Where a robot gets that tries to move from one pose to another near it: there, or as far as it can slide along
+     * walls.
      */
     public Pose moved(Pose from, Pose to) {
         Pose pushed = to;
@@ -178,7 +178,7 @@ public final class Room {
         return to.at(from.center());
     }
 
-    /** How far it is from the robot's centre to the next wall in a direction; infinite if there is none. */
+    /** The distance from the robot's centre to the next wall in a direction; infinite if there is none. */
     public double freeMm(Pose pose, double bearingRad) {
         double directionRad = pose.headingRad() + bearingRad;
         Point direction = new Point(Math.cos(directionRad), Math.sin(directionRad));
@@ -189,7 +189,7 @@ public final class Room {
                 .orElse(Double.POSITIVE_INFINITY);
     }
 
-    /** Whether the dock's beams reach a robot: it is in front of the dock and nothing is between. */
+    /** Whether the dock's beams reach a robot: it is in front of the dock and nothing is in between. */
     public boolean seesDock(Pose pose) {
         if (dock == null) {
             return false;

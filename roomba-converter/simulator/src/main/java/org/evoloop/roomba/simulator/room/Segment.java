@@ -1,9 +1,9 @@
 package org.evoloop.roomba.simulator.room;
 
-/** A straight piece of something that a robot bumps into. */
+/** A straight part of something that a robot can bump into. */
 record Segment(Point from, Point to) {
 
-    /** The segment's point that is nearest to another point. */
+    /** The segment's point nearest to another point. */
     Point nearest(Point point) {
         Point along = to.minus(from);
         double lengthSquared = along.dot(along);
@@ -11,13 +11,13 @@ record Segment(Point from, Point to) {
         return from.plus(along, Math.max(0, Math.min(1, share)));
     }
 
-    /** Whether the two have a point in common. */
+    /** Whether the two segments have a point in common. */
     boolean crosses(Segment other) {
         double distance = other.hitBy(from, to.minus(from));
         return distance <= 1;
     }
 
-    /** How far a ray goes until it meets the segment, in lengths of {@code direction}; infinite if it never does. */
+    /** The distance along a ray to the segment, in lengths of {@code direction}; infinite if the ray misses it. */
     double hitBy(Point origin, Point direction) {
         Point along = to.minus(from);
         double parallel = direction.cross(along);

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A polygon on the floor; its last corner is joined with its first.
+ * A polygon on the floor; its last corner is connected to its first.
  *
  * @param corners at least three
  * @param finish how its sides look
@@ -12,13 +12,13 @@ import java.util.List;
  */
 public record Shape(Kind kind, List<Point> corners, Finish finish) {
 
-    /** What the polygon stands for. */
+    /** What the polygon represents. */
     public enum Kind {
-        /** Its sides are walls without thickness, the floor goes on inside. */
+        /** Its sides are walls without thickness; there is floor inside. */
         WALL,
         /** Something solid. */
         OBSTACLE,
-        /** Within it there is no floor. */
+        /** There is no floor inside. */
         CLIFF
     }
 
@@ -29,12 +29,12 @@ public record Shape(Kind kind, List<Point> corners, Finish finish) {
         }
     }
 
-    /** A shape of any look. */
+    /** A shape with the default finish. */
     public Shape(Kind kind, List<Point> corners) {
         this(kind, corners, Finish.ANY);
     }
 
-    /** The corners of a rectangle along the axes, by two of them that are opposite. */
+    /** The corners of an axis-parallel rectangle, from two opposite corners. */
     static List<Point> rectangle(Point one, Point other) {
         return List.of(one, new Point(other.xMm(), one.yMm()), other, new Point(one.xMm(), other.yMm()));
     }
@@ -47,7 +47,7 @@ public record Shape(Kind kind, List<Point> corners, Finish finish) {
         return sides;
     }
 
-    /** Whether a point is inside: a ray from there to the right then crosses an odd number of sides. */
+    /** Whether a point is inside: then a ray from it to the right crosses an odd number of sides. */
     boolean contains(Point point) {
         boolean inside = false;
         for (Segment side : sides()) {

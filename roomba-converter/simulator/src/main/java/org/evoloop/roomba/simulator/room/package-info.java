@@ -1,6 +1,6 @@
 /**
- * The floor plan that the simulated robot lives in: walls, obstacles, cliffs and the dock, as plane geometry, and the
- * text file that describes them. It knows nothing of the robot but that it is a disc.
+ * The floor plan around the simulated robot: walls, obstacles, cliffs and the dock, as plane geometry, and the text
+ * file that describes them. The robot is treated as a disc.
  *
  * <p>This package uses no other part of Evoloop.
  */

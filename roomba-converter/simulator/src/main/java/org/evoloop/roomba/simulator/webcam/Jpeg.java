@@ -19,14 +19,14 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.evoloop.roomba.simulator.eye.Picture;
 
 /**
- * Makes JPEGs of pictures.
+ * Encodes pictures as JPEG.
  *
  * <p>Threading: used by one thread.
  *
  * @since 0.1
  */
 public final class Jpeg implements AutoCloseable {
-    /** As good as cheap cameras are set to. */
+    /** A common setting of cheap cameras. */
     private static final float QUALITY = 0.9f;
 
     private static final int[] BYTE_OF_RED_GREEN_BLUE = {2, 1, 0};
@@ -37,13 +37,13 @@ public final class Jpeg implements AutoCloseable {
     private final ComponentColorModel colors = new ComponentColorModel(
             ColorSpace.getInstance(ColorSpace.CS_sRGB), false, false, Transparency.OPAQUE, DataBuffer.TYPE_BYTE);
 
-    /** Keeps its buffers from picture to picture. */
+    /** Creates an encoder that reuses its buffers. */
     public Jpeg() {
         settings.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
         settings.setCompressionQuality(QUALITY);
     }
 
-    /** The picture as a file. */
+    /** The picture as a JPEG file. */
     public byte[] encode(Picture picture) {
         int width = picture.widthPx();
         WritableRaster pixels = Raster.createInterleavedRaster(

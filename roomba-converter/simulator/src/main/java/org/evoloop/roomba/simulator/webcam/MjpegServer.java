@@ -17,11 +17,11 @@ import org.evoloop.roomba.simulator.webcam.Newest.Numbered;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Serves JPEGs over HTTP on this machine alone: {@value #STREAM} is an endless stream, {@value #FRAME} the next
+ * Serves JPEGs over HTTP, on this machine only: {@value #STREAM} is an endless stream, {@value #FRAME} the next
  * picture, {@code /} a page with the stream. Each client has a thread that sends it the newest picture when it has
- * taken the one before; one that takes none holds up nobody else. A request that is not whole after {@value
- * #REQUEST_SECONDS} s is hung up on, and so is at once whoever comes when {@value #MOST_CONNECTIONS} are connected, or
- * while {@value #MOST_CLIENTS} clients and {@value #MOST_REQUESTS} requests have the threads.
+ * received the previous one, so a slow client does not delay others. A request that is incomplete after {@value
+ * #REQUEST_SECONDS} s is closed. A new connection is closed at once if {@value #MOST_CONNECTIONS} are open, or if
+ * {@value #MOST_CLIENTS} clients and {@value #MOST_REQUESTS} requests use all threads.
  */
 final class MjpegServer implements AutoCloseable {
     static final String STREAM = "/stream";
@@ -55,17 +55,17 @@ final class MjpegServer implements AutoCloseable {
             });
 
     /**
-     * Begins to serve.
+     * Starts serving.
      *
-     * @param port 0 for any that is free
-     * @throws IOException if the port cannot be had; the message tells what to do
+     * @param port 0 for any free port
+     * @throws IOException if the port is not available; the message says what to do
      */
     MjpegServer(Newest<byte[]> pictures, int port) throws IOException {
         this.pictures = pictures;
-        // Else the end of a picture waits up to 40 ms for the client's confirmation of what came before it.
+        // Otherwise the end of a picture is delayed up to 40 ms until the client has acknowledged the data before it.
         unlessSet("sun.net.httpserver.nodelay", "true");
         unlessSet("sun.net.httpserver.maxReqTime", Integer.toString(REQUEST_SECONDS));
-        // How often it looks for clients who have not begun a request, in ms.
+        // How often the server checks for clients that have not started a request, in ms.
         unlessSet("sun.net.httpserver.clockTick", "1000");
         unlessSet("jdk.httpserver.maxConnections", Integer.toString(MOST_CONNECTIONS));
         try {
@@ -83,7 +83,7 @@ final class MjpegServer implements AutoCloseable {
         server.start();
     }
 
-    /** The server of the JDK reads its settings once, before it serves the first time. */
+    /** The JDK's server reads its settings once, before the first use. */
     private static void unlessSet(String property, String value) {
         if (System.getProperty(property) == null) {
             System.setProperty(property, value);
@@ -94,7 +94,7 @@ final class MjpegServer implements AutoCloseable {
         return server.getAddress().getPort();
     }
 
-    /** How many wait for pictures. */
+    /** The number of clients waiting for pictures. */
     int clients() {
         return clients.get();
     }
@@ -174,7 +174,7 @@ final class MjpegServer implements AutoCloseable {
         }
     }
 
-    /** Hangs up on all clients and frees the port. */
+    /** Disconnects all clients and frees the port. */
     @Override
     public void close() {
         server.stop(0);

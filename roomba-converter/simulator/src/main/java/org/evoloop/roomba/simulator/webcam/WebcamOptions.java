@@ -3,7 +3,7 @@ package org.evoloop.roomba.simulator.webcam;
 import org.evoloop.roomba.simulator.eye.EyeOptions;
 
 /**
- * What can be chosen about a served camera.
+ * The options of a served camera.
  *
  * @since 0.1
  */
@@ -27,40 +27,37 @@ public final class WebcamOptions {
         this.eye = eye;
     }
 
-    /** A typical camera at any free port, 30 frames a second. */
+    /** A typical camera on any free port, 30 frames per second. */
     public static WebcamOptions defaults() {
         return new WebcamOptions(0, 30, EyeOptions.defaults());
     }
 
-    /** The same at another port. */
+    /** A copy with another port. */
     public WebcamOptions withPort(int other) {
         return new WebcamOptions(other, framesPerSecond, eye);
     }
 
-    /** The same with so many frames a second. */
+    /** A copy with another frame rate. */
     public WebcamOptions withFramesPerSecond(double frames) {
         return new WebcamOptions(port, frames, eye);
     }
 
-    /** The same that sees otherwise. */
+    /** A copy with other camera options. */
     public WebcamOptions withEye(EyeOptions other) {
         return new WebcamOptions(port, framesPerSecond, other);
     }
 
-    /** The port of this machine, 0 to 65535; 0 is any that is free. */
+    /** The port on this machine, 0 to 65535; 0 is any free port. */
     public int port() {
         return port;
     }
 
-    /**
-     * Frames in a second of the robot's time, 0.1 to 60; fewer come when the robot lives so fast that they cannot be
-     * made.
-     */
+    /** Frames per second of the robot's time, 0.1 to 60; fewer when the simulation runs too fast to render them all. */
     public double framesPerSecond() {
         return framesPerSecond;
     }
 
-    /** What it sees. */
+    /** The camera's options. */
     public EyeOptions eye() {
         return eye;
     }

@@ -1,6 +1,6 @@
 /**
- * The simulated robot's camera as programs and browsers find it: pictures of the eye, served as motion JPEG over HTTP
- * on this machine alone, and what goes wrong with cameras.
+ * The simulated robot's camera for programs and browsers: its pictures, served as motion JPEG over HTTP on this machine
+ * only, and simulated camera faults.
  *
  * <p>This package may use {@code simulator.eye}, {@code simulator.robot} and {@code simulator.room}.
  */
