@@ -55,7 +55,7 @@ public final class ConverterHarness implements AutoCloseable {
     /** The longest time that {@link #until(String)} lets pass. */
     public static final Duration PATIENCE = Duration.ofHours(1);
 
-    /** More events than this at one moment are taken to be endless. */
+    /** More events than this at one moment count as endless. */
     private static final int MOST_EVENTS = 2_000;
 
     /**
@@ -72,7 +72,7 @@ public final class ConverterHarness implements AutoCloseable {
     private final List<Failure<Occurrence>> failures = new ArrayList<>();
     private final @Nullable SimulatedDevice device;
 
-    /** How many times in a row something became due without any time having passed. */
+    /** How many times in a row something became due without time having passed. */
     private int atOnce;
 
     private ConverterHarness(Builder builder) {
@@ -109,7 +109,7 @@ public final class ConverterHarness implements AutoCloseable {
         });
     }
 
-    /** Begins a harness for a converter with this knowledge. */
+    /** A builder of a harness for a converter with this knowledge. */
     public static Builder of(StateKnowledge knowledge) {
         return new Builder(requireNonNull(knowledge, "the knowledge is null"));
     }
@@ -191,7 +191,7 @@ public final class ConverterHarness implements AutoCloseable {
     }
 
     /**
-     * A control of the controller is operated.
+     * Operates a control of the controller.
      *
      * @throws IllegalArgumentException if neither model knows the event
      * @throws IllegalStateException if the converter is stopped
@@ -218,8 +218,8 @@ public final class ConverterHarness implements AutoCloseable {
     }
 
     /**
-     * The device does {@code event} by itself, and that is reported: by the simulated device, which takes its
-     * transition, or, without one, by the harness.
+     * Makes the device do {@code event} by itself and report it: the simulated device takes its transition; without
+     * one, the harness reports the event.
      *
      * @throws IllegalStateException if the simulated device has no transition for the event in its state
      */
@@ -233,9 +233,9 @@ public final class ConverterHarness implements AutoCloseable {
     }
 
     /**
-     * A control on the device is operated.
+     * Operates a control on the device.
      *
-     * @param deviceActed whether the device acts on it by itself, or merely reports it
+     * @param deviceActed whether the device acts on it by itself, or only reports it
      */
     public ConverterHarness pressOnDevice(String event, boolean deviceActed) {
         if (device != null && deviceActed) {
@@ -246,7 +246,7 @@ public final class ConverterHarness implements AutoCloseable {
         return settle();
     }
 
-    /** The device is found in {@code state} of its model; a simulated device is put there. */
+    /** Reports that the device was found in {@code state} of its model; a simulated device is put there. */
     public ConverterHarness found(String state) {
         if (device != null) {
             device.put(state);
@@ -256,7 +256,7 @@ public final class ConverterHarness implements AutoCloseable {
     }
 
     /**
-     * Lets {@code duration} pass; everything that becomes due meanwhile is handled at its time, with all that follows
+     * Advances the clock by {@code duration}; everything that becomes due is handled at its time, with all that follows
      * from it.
      */
     public ConverterHarness advance(Duration duration) {
@@ -326,13 +326,13 @@ public final class ConverterHarness implements AutoCloseable {
                 + ended.failed();
     }
 
-    /** Lets time pass until the new model is in {@code state}; at most {@link #PATIENCE}. */
+    /** Advances the clock until the new model is in {@code state}; at most {@link #PATIENCE}. */
     public ConverterHarness until(String state) {
         return until(state, PATIENCE);
     }
 
     /**
-     * Lets time pass, from one due timer to the next, until the new model is in {@code state}.
+     * Advances the clock from one due timer to the next, until the new model is in {@code state}.
      *
      * @param state the state's name, with or without its history
      * @param within how much time may pass

@@ -59,7 +59,7 @@ final class DeviceModel {
         return transition(event) != null;
     }
 
-    /** Takes the transition of {@code event}; false if there is none now, and nothing happens. */
+    /** Takes the transition of {@code event}; returns false, without an effect, if there is none now. */
     synchronized boolean take(String event) {
         Transition taken = transition(event);
         if (taken == null) {

@@ -1,7 +1,7 @@
 package org.evoloop.testkit;
 
 /**
- * Something that goes wrong with a command on its way to a {@link SimulatedDevice}.
+ * A fault of a command on its way to a {@link SimulatedDevice}.
  *
  * <p>Threading: immutable.
  *
@@ -11,20 +11,20 @@ public sealed interface Incident {
 
     /**
      * It does not arrive, and has no effect. The sender notices that only if the device reports its effects; then no
-     * answer comes, and the sending fails.
+     * answer arrives, and sending fails.
      */
     record Lost() implements Incident {}
 
-    /** It has no effect, and the sending fails. */
+    /** It has no effect, and sending fails. */
     record Refused() implements Incident {}
 
-    /** It has its effect, but the sending fails: the answer was lost. */
+    /** It has its effect, but sending fails: the answer was lost. */
     record Unanswered() implements Incident {}
 
     /** The device does {@code event} by itself just before it takes the command. */
     record Before(String event) implements Incident {}
 
-    /** The device does {@code event} by itself after it has taken the command, before the sender knows of that. */
+    /** The device does {@code event} by itself after it has taken the command, before the sender knows that it did. */
     record After(String event) implements Incident {}
 
     /** See {@link Lost}. */

@@ -27,7 +27,7 @@ import org.evoloop.statemachine.StateMachine;
  * @since 0.1
  */
 public final class OrderCheck {
-    /** Many more would take long without finding more. */
+    /** Many more would take long without finding more errors. */
     private static final int MOST_SITUATIONS = 60;
 
     private final StateMachine model;

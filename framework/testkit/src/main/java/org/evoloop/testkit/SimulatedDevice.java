@@ -133,8 +133,8 @@ public final class SimulatedDevice {
         }
 
         /**
-         * Makes it not report the effects of commands: a command counts when it was sent, and a lost one goes
-         * unnoticed.
+         * Makes it not report the effects of commands: a command counts as executed when it was sent, and a lost one
+         * goes unnoticed.
          */
         public Builder silent() {
             tellsEffects = false;
@@ -198,7 +198,7 @@ public final class SimulatedDevice {
     }
 
     /**
-     * It does {@code event} by itself, and reports that.
+     * Makes it do {@code event} by itself and report that.
      *
      * @throws IllegalStateException if it has no transition for the event in its state
      */
@@ -210,8 +210,8 @@ public final class SimulatedDevice {
     }
 
     /**
-     * Presses a button of the device: it acts on it and reports that, or ignores it if it has no transition; then
-     * returns false.
+     * Presses a button of the device: it acts on it and reports that; if it has no transition, it ignores the press,
+     * and this returns false.
      */
     public synchronized boolean button(String event) {
         boolean taken = model.take(event);
@@ -221,7 +221,7 @@ public final class SimulatedDevice {
         return taken;
     }
 
-    /** It does {@code event} by itself after {@code delay}, if it has a transition for it then. */
+    /** Makes it do {@code event} by itself after {@code delay}, if it has a transition for it then. */
     public synchronized void actsAfter(Duration delay, String event) {
         requireJoined(clock).schedule(delay, () -> {
             synchronized (this) {
@@ -290,7 +290,7 @@ public final class SimulatedDevice {
         }
     }
 
-    /** Lets time pass for the sender: without threads nothing else would. */
+    /** Advances the clock for the sender: without threads nothing else would. */
     private void pass(Duration duration) throws InterruptedException {
         if (duration.isZero()) {
             return;

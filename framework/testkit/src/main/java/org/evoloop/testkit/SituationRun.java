@@ -134,7 +134,7 @@ final class SituationRun implements AutoCloseable {
         return converter.knowledge().getOriginalState().equals(device.state());
     }
 
-    /** An adapter that reports in which state the device was found need not report how it got there. */
+    /** An adapter that reports the state in which it found the device need not report how the device got there. */
     private boolean hasToldAll() {
         return line.isQuiet()
                 && count(Source.CONTROLLER) == presses

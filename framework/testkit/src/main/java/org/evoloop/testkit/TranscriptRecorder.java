@@ -37,7 +37,7 @@ final class TranscriptRecorder {
         }
         Logger logger = context.getLogger(LOGGER);
         if (!logger.isInfoEnabled()) {
-            // If the transcript is silenced in tests, it stays so.
+            // If the transcript is silenced in tests, it stays silenced.
             logger.setAdditive(false);
             logger.setLevel(Level.INFO);
         }

@@ -16,7 +16,7 @@ import java.util.Map;
  * The number of the last command of each device, in a file that is written before the device gets the command: after a
  * crash, no command is repeated.
  *
- * <p>Errors: where the file cannot be used, {@link UncheckedIOException}.
+ * <p>Errors: if the file cannot be used, {@link UncheckedIOException}.
  *
  * <p>Threading: for one thread.
  *
@@ -84,7 +84,7 @@ public final class Carried implements AutoCloseable {
         return true;
     }
 
-    /** The last command that counts as carried out; 0 if none does. */
+    /** The last command that counts as executed; 0 if there is none. */
     public long last(String device) {
         return last.getOrDefault(device, 0L);
     }

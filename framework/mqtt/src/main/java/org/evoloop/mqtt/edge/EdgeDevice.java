@@ -98,9 +98,9 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
     }
 
     /**
-     * Checks that a device's id can be a part of its topics.
+     * Checks that a device's id can be part of its topics.
      *
-     * @param what what messages call the id
+     * @param what how messages name the id
      * @throws IllegalArgumentException if it cannot
      */
     public static void requireTopicName(String what, String id) {
@@ -239,7 +239,7 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
                 }
             }
         } catch (InterruptedException closed) {
-            // It is being closed.
+            // The device is being closed.
         }
     }
 

@@ -56,19 +56,21 @@ public final class SimulatedRoombaExtension implements BeforeEachCallback, After
 
     private SimulatedRoombaExtension() {}
 
-    /** A robot as {@link RobotOptions#defaults} has it, in real time. */
+    /** A robot with {@link RobotOptions#defaults}, in real time. */
     public static SimulatedRoombaExtension create() {
         return new SimulatedRoombaExtension();
     }
 
-    /** Sets what the robot is like: its room, its battery, how noisy its line is. Counts from the next test on. */
+    /**
+     * Sets the robot's options, such as its room, its battery and the noise on its line. Applies from the next test on.
+     */
     public SimulatedRoombaExtension options(RobotOptions itsOptions) {
         options = requireNonNull(itsOptions, "the robot's options are null");
         return this;
     }
 
     /**
-     * Lets the robot's time pass faster than the test's.
+     * Sets the speed of the robot's time relative to real time.
      *
      * @param factor {@value SimulatorServer#SLOWEST} to {@value SimulatorServer#FASTEST}
      */
@@ -77,7 +79,7 @@ public final class SimulatedRoombaExtension implements BeforeEachCallback, After
         return this;
     }
 
-    /** How long {@link #until} waits at most, in real time; 20 s unless this is called. */
+    /** Sets how long {@link #until} waits at most, in real time; 20 s by default. */
     public SimulatedRoombaExtension patience(Duration longest) {
         patience = requireNonNull(longest, "the patience is null");
         return this;
@@ -143,36 +145,36 @@ public final class SimulatedRoombaExtension implements BeforeEachCallback, After
         return server().path();
     }
 
-    /** The robot in its world: to press and hold its buttons, to lift, place and dock it. */
+    /** The simulated robot: to press and hold its buttons, to lift, place and dock it. */
     public SimulatedRoomba robot() {
         return server().robot();
     }
 
-    /** Presses one of its buttons as a finger does. */
+    /** Presses one of its buttons briefly. */
     public void press(Button button) {
         robot().press(button);
     }
 
-    /** Where it is, and what it does. */
+    /** The robot's current true state. */
     public RobotState state() {
         return robot().state();
     }
 
-    /** Pulls the cable; the port is gone. @throws IllegalArgumentException if it is pulled already */
+    /** Pulls the cable; the port disappears. @throws IllegalArgumentException if it is pulled already */
     public void unplug() {
         server().unplug();
     }
 
-    /** Plugs the cable in again. @throws IOException if there is no port to be had */
+    /** Plugs the cable in again. @throws IOException if no port is available */
     public void replug() throws IOException {
         server().replug();
     }
 
     /**
-     * Waits until the robot is as {@code wanted} says, looking after each tick of 15 ms of its time.
+     * Waits until {@code wanted} holds; checked after each tick of 15 ms of the robot's time.
      *
-     * @return the state in which it was then
-     * @throws AssertionError if it does not come to be so in time; the message tells the state that was seen last
+     * @return the state in which it held
+     * @throws AssertionError if it does not hold in time; the message contains the last state
      */
     public RobotState until(Predicate<RobotState> wanted) throws InterruptedException {
         server();

@@ -1,6 +1,6 @@
 /**
- * For tests of programs that drive a Roomba: {@link org.evoloop.roomba.testkit.SimulatedRoombaExtension} gives each of
- * them a simulated one on a serial port. Linux only.
+ * For tests of programs that drive a Roomba: {@link org.evoloop.roomba.testkit.SimulatedRoombaExtension} gives each
+ * test a simulated robot on a serial port. Linux only.
  *
  * <p>This package uses the simulator and JUnit 5.
  */
