@@ -8,19 +8,17 @@ import java.util.List;
  * @param base the common prefix, such as {@code evoloop/lamp/bypass}
  */
 record BypassTopics(String base) {
-    /** Whether the converter is there. */
+    /** Whether the converter is connected. */
     String converter() {
         return base + "/converter";
     }
 
-    /** Whether the bypass is there. */
+    /** Whether the bypass is connected. */
     String own() {
         return base + "/own";
     }
 
-    /**
-     * The events passed on since the converter was gone, one per line, oldest first; empty if there are none.
-     */
+    /** The events passed on while the converter was gone, one per line, oldest first; empty if there are none. */
     String passed() {
         return base + "/passed";
     }

@@ -48,11 +48,11 @@ final class Errand {
     }
 
     /**
-     * Takes the next step, if it is time for it.
+     * Takes the next step when it is due.
      *
      * @param now the evolved system's state
-     * @return whether there is more to do
-     * @throws IllegalStateException if nothing leads to the goal
+     * @return whether there are more steps
+     * @throws IllegalStateException if no path leads to the goal
      */
     boolean step(State now, long nowNanos) {
         if (evolved.alike(goal).contains(now) || nowNanos - deadlineNanos > 0) {
@@ -64,7 +64,7 @@ final class Errand {
         Event next = firstStep(now);
         if (next == null || !(mayRaise(next) || isTimer(next))) {
             if (pressedIn != null) {
-                // The rest is up to the functions and the device.
+                // The functions and the device must do the rest.
                 return false;
             }
             throw new IllegalStateException("nothing that a controller may raise leads from " + now + " to " + goal);
@@ -108,7 +108,10 @@ final class Errand {
                 .orElse(null);
     }
 
-    /** Waiting for a timer beats a detour through other work; what device and functions do may never come. */
+    /**
+     * Waiting for a timer is cheaper than a detour through other work; events of the device and of functions may never
+     * come.
+     */
     private int cost(Event event) {
         return mayRaise(event) ? 2 : isTimer(event) ? 1 : 20;
     }

@@ -1,10 +1,10 @@
 package org.evoloop.mqtt;
 
 /**
- * Divides the messages that a client receives into those before and those after the others knew of it: it publishes on
- * a topic, retained, that it is here, and waits to receive that message itself. The broker delivers everything in the
- * same order to each client, so all divide at the same message. When the client is gone, its will says so, and divides
- * again.
+ * Divides the messages that a client receives into those before and those after the other clients knew of its
+ * connection. The client publishes a retained message that it is connected, and waits until it receives that message
+ * itself. The broker delivers everything in the same order to each client, so all divide at the same message. When the
+ * client is gone, its will reports that, which divides the messages again.
  *
  * <p>Threading: thread-safe.
  */
@@ -19,7 +19,7 @@ final class Fence {
     /**
      * A fence for a connection that is not open yet, and has no other will.
      *
-     * @param then run each time that it is passed
+     * @param then run each time that the fence is passed
      */
     Fence(BrokerConnection connection, String topic, Runnable then) {
         this.connection = connection;
@@ -30,26 +30,26 @@ final class Fence {
         connection.publish(Message.state(topic, HERE));
     }
 
-    /** The message of another client's fence: whether it is here. */
+    /** Reads the message of another client's fence: whether that client is connected. */
     static boolean isHere(Message message) {
         return message.payload().equals(HERE);
     }
 
     private void hear(Message message) {
         if (message.kind() == Message.Kind.STATE) {
-            // A retained message from before.
+            // A retained message of an earlier connection.
             return;
         }
         passed = isHere(message);
         if (passed) {
             then.run();
         } else {
-            // The will of an earlier connection came late.
+            // The will of an earlier connection arrived late.
             connection.republish();
         }
     }
 
-    /** Whether all clients know that this one is here. */
+    /** Whether all clients know that this one is connected. */
     boolean isPassed() {
         return passed;
     }

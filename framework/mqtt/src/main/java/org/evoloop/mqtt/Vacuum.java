@@ -47,7 +47,7 @@ public interface Vacuum {
     Activity activity(ConverterStatus status);
 
     /**
-     * Obeys a command; may wait for some seconds.
+     * Executes a command; may block for some seconds.
      *
      * @throws Exception any failure: its message is shown as the reason why the command was refused
      */
