@@ -20,16 +20,16 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A simulated robot at a pseudo-terminal, alive until it is closed. Its clients may come and go; the robot goes on.
+ * A simulated robot at a pseudo-terminal. It runs until it is closed, while clients connect and disconnect.
  *
- * <p>Pace: robot time passes {@code speed} times as fast as the clock. A server that is late makes up for it tick by
- * tick, and looks for bytes from the client between the ticks; what it is late by more than
- * {@value #LONGEST_LAG_SECONDS} s of the clock is lost to the robot.
+ * <p>Pace: robot time passes {@code speed} times as fast as the clock. A server that is late catches up tick by
+ * tick, and reads bytes from the client between the ticks. A delay beyond {@value #LONGEST_LAG_SECONDS} s of the clock
+ * is skipped.
  *
- * <p>A pseudo-terminal has no wake line: that a client opens the port counts as a pulse of it. It has no bits on a wire
- * either: the robot is told the client's baud rate and makes garbage of a wrong one.
+ * <p>A pseudo-terminal has no wake line: a client that opens the port causes a pulse instead. It does not transfer bits
+ * either: the robot gets the client's baud rate, and turns bytes at a wrong rate into garbage.
  *
- * <p>Threading: one thread, which rests in the pseudo-terminal until bytes come or a tick is due. All methods may be
+ * <p>Threading: one thread, which waits at the pseudo-terminal until bytes arrive or a tick is due. All methods may be
  * called from any thread.
  *
  * @since 0.1
@@ -95,7 +95,7 @@ public final class SimulatorServer implements Cable, AutoCloseable {
     }
 
     /**
-     * Starts a robot, as {@link #start(Path, RobotOptions, Clock, double)}, and somebody who watches it.
+     * Starts a robot, as {@link #start(Path, RobotOptions, Clock, double)}, with an observer.
      *
      * @param observer receives the state after every tick, on the server's thread
      */

@@ -11,19 +11,19 @@ import org.evoloop.roomba.simulator.webcam.Webcam;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What people do to the robot, and see of it, as text. Each command is one line and has one line for an answer:
+ * Text commands that act on the robot and its room, or show its state. Each command is one line, and so is its answer:
  *
  * <ul>
- *   <li>{@code press clean|spot|dock [MILLIS]}: {@code ok}, the button is down for 150 or so many ms of robot time;
- *       one that is down already is let go first, when its time is over
- *   <li>{@code lift}, {@code set-down}: {@code ok}, the robot hangs in the air, or stands where it was
+ *   <li>{@code press clean|spot|dock [MILLIS]}: {@code ok}, the button is down for 150 or MILLIS ms of robot time;
+ *       if it is down already, it is released first when its time is over
+ *   <li>{@code lift}, {@code set-down}: {@code ok}, the robot is in the air, or back on the floor where it was
  *   <li>{@code place X Y HEADING}: {@code ok}, the robot stands there, in mm and degrees counterclockwise from x
  *   <li>{@code dock}, {@code undock}: {@code ok}, the robot stands on its dock, or half a metre behind
- *   <li>{@code unplug}, {@code replug}: {@code ok}, the client's cable is pulled, or in again
+ *   <li>{@code unplug}, {@code replug}: {@code ok}, the client's cable is pulled, or plugged in again
  *   <li>{@code move-marker X Y HEADING}: {@code ok}, the room's marker hangs there
- *   <li>{@code cover-marker}, {@code uncover-marker}: {@code ok}, a cloth hangs over it, or no more
- *   <li>{@code camera stall|resume}: {@code ok}, no pictures are sent, or whole ones again
- *   <li>{@code camera unplug|replug}: {@code ok}, the camera's cable is pulled, or in again
+ *   <li>{@code cover-marker}, {@code uncover-marker}: {@code ok}, the marker is covered with a cloth, or uncovered
+ *   <li>{@code camera stall|resume}: {@code ok}, pictures stop, or are sent again
+ *   <li>{@code camera unplug|replug}: {@code ok}, the camera's cable is pulled, or plugged in again
  *   <li>{@code camera damage P}: {@code ok}, this part of its pictures is sent damaged, 0 to 1
  *   <li>{@code state}: the robot's true state in JSON, see {@code RobotState}
  *   <li>{@code help}: these commands

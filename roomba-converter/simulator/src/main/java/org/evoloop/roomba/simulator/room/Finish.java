@@ -4,17 +4,17 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 
 /**
- * How a wall or a piece of furniture looks; whoever draws it chooses what is not told.
+ * The look of a wall or a piece of furniture; unspecified values are chosen when it is drawn.
  *
  * @param rgb its colour as 0xRRGGBB
- * @param heightMm above the floor, {@value #LOWEST_MM} to {@value #HIGHEST_MM}
+ * @param heightMm its height above the floor, {@value #LOWEST_MM} to {@value #HIGHEST_MM}
  * @since 0.1
  */
 public record Finish(OptionalInt rgb, OptionalDouble heightMm) {
-    /** Nothing is told. */
+    /** Nothing is specified. */
     public static final Finish ANY = new Finish(OptionalInt.empty(), OptionalDouble.empty());
 
-    /** A robot's camera is never higher, and so never looks onto the top of anything. */
+    /** A robot's camera is never higher than this, so the top of an object is never visible. */
     public static final double LOWEST_MM = 200;
 
     private static final double HIGHEST_MM = 5_000;

@@ -1,30 +1,30 @@
 package org.evoloop.roomba.simulator.room;
 
 /**
- * An ArUco tag of the dictionary 4x4_50, upright on a white board. It is thin, and unless it is solid in nobody's way:
+ * An ArUco tag of the dictionary 4x4_50, upright on a white board. It is thin and, unless it is solid, not an obstacle:
  * it hangs on a wall, or where a robot can push it aside.
  *
- * @param pose the floor beneath its middle, and where it looks
+ * @param pose the point on the floor below its centre, and the direction it faces
  * @param id 0 to {@value #HIGHEST_ID}
- * @param sideMm of the tag without the white around it, {@value #SMALLEST_SIDE_MM} to {@value #LARGEST_SIDE_MM}
- * @param heightMm of its middle above the floor; the board does not reach below the floor
- * @param covered whether somebody has hung a cloth over it
- * @param solid whether the board stands on the floor like a wall, as wide as it is
+ * @param sideMm the side of the tag without the white border, {@value #SMALLEST_SIDE_MM} to {@value #LARGEST_SIDE_MM}
+ * @param heightMm the height of its centre above the floor; the board must not reach below the floor
+ * @param covered whether it is covered with a cloth
+ * @param solid whether the board stands on the floor like a wall of the same width
  * @since 0.1
  */
 public record Marker(Pose pose, int id, double sideMm, double heightMm, boolean covered, boolean solid) {
     /** The highest id of the marker's dictionary, ArUco 4x4_50. */
     public static final int HIGHEST_ID = 49;
-    /** The side of a marker that says nothing else. */
+    /** The default side of a marker. */
     public static final double USUAL_SIDE_MM = 150;
-    /** The height of a marker that says nothing else. */
+    /** The default height of a marker. */
     public static final double USUAL_HEIGHT_MM = 150;
 
     private static final double SMALLEST_SIDE_MM = 20;
     private static final double LARGEST_SIDE_MM = 1_000;
     private static final double HIGHEST_MM = 2_000;
 
-    /** Four cells and the black around them; the white around that is one cell wide. */
+    /** Four cells and the black border; the white border around that is one cell wide. */
     private static final double CELLS_PER_SIDE = 6;
 
     public Marker {
@@ -61,23 +61,23 @@ public record Marker(Pose pose, int id, double sideMm, double heightMm, boolean 
         return sideMm / CELLS_PER_SIDE;
     }
 
-    /** The pose this far before it, looking at it. */
+    /** The pose at this distance in front of the marker, facing it. */
     public Pose before(double distanceMm) {
         Point place = pose.ahead(distanceMm, 0);
         return new Pose(place.xMm(), place.yMm(), pose.headingRad() + Math.PI);
     }
 
-    /** The same marker elsewhere. */
+    /** A copy at another pose. */
     public Marker movedTo(Pose place) {
         return new Marker(place, id, sideMm, heightMm, covered, solid);
     }
 
-    /** The same marker with a cloth over it or without. */
+    /** A copy that is covered with a cloth, or not. */
     public Marker covered(boolean cloth) {
         return new Marker(pose, id, sideMm, heightMm, cloth, solid);
     }
 
-    /** Where its board stands, from the left edge to the right. */
+    /** The board's line on the floor, from the left edge to the right. */
     Segment board() {
         return new Segment(pose.ahead(0, boardMm() / 2), pose.ahead(0, -boardMm() / 2));
     }

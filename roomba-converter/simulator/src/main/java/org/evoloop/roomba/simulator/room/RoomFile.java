@@ -18,8 +18,8 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads a {@link Room} from a text file. Every line is one thing; lengths are in mm, angles in degrees counterclockwise
- * from the x axis. Empty lines do not count, nor does what follows a {@code #}:
+ * Reads a {@link Room} from a text file. Every line is one object; lengths are in mm, angles in degrees
+ * counterclockwise from the x axis. Empty lines and text after {@code #} are ignored:
  *
  * <pre>
  *   wall     X Y  X Y            # a rectangle by two opposite corners: walls around a room
@@ -27,14 +27,13 @@ import org.jspecify.annotations.Nullable;
  *   obstacle X Y  X Y  ...       # something solid, a rectangle or a polygon likewise
  *   cliff    X Y  X Y  ...       # where there is no floor, likewise
  *   dock     X Y HEADING         # where a docked robot stands and its heading; the dock itself is 176 mm ahead
- *   start    X Y HEADING         # where it begins; if not told, on the dock, or without one at 0 0 0
+ *   start    X Y HEADING         # where the robot starts; by default on the dock, or without one at 0 0 0
  *   marker   X Y HEADING         # an upright tag of 4x4_50 with id 0 and 150 mm wide, its middle 150 mm above X Y
- *   marker   X Y HEADING ID SIDE HEIGHT   # one of any kind; the last of these may be left out
- *   marker   X Y HEADING solid            # one that is in the way, also after ID, SIDE and HEIGHT
+ *   marker   X Y HEADING ID SIDE HEIGHT   # with other values; the last ones may be omitted
+ *   marker   X Y HEADING solid            # one that is an obstacle, also after ID, SIDE and HEIGHT
  * </pre>
  *
- * <p>After its corners a wall or an obstacle may tell how it looks: {@code color RRGGBB}, in hexadecimal, and {@code
- * height MM}.
+ * <p>After its corners a wall or an obstacle may have {@code color RRGGBB}, in hexadecimal, and {@code height MM}.
  *
  * @since 0.1
  */
@@ -42,10 +41,10 @@ public final class RoomFile {
     private static final String LIVING_ROOM = "living-room.txt";
     private static final double FARTHEST_MM = 100_000;
 
-    /** What may follow the corners of a wall or an obstacle. */
+    /** The words that may follow the corners of a wall or an obstacle. */
     private static final Set<String> LOOKS = Set.of("color", "height");
 
-    /** What may follow a marker's numbers. */
+    /** The word that may follow a marker's numbers. */
     private static final String SOLID = "solid";
 
     private final List<Shape> shapes = new ArrayList<>();
