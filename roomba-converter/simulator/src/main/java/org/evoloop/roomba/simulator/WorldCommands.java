@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code unplug}, {@code replug}: {@code ok}, the client's cable is pulled, or plugged in again
  *   <li>{@code move-marker X Y HEADING}: {@code ok}, the room's marker hangs there
  *   <li>{@code cover-marker}, {@code uncover-marker}: {@code ok}, the marker is covered with a cloth, or uncovered
- *   <li>{@code camera stall|resume}: {@code ok}, pictures stop, or are sent again
+ *   <li>{@code camera stall|resume}: {@code ok}, pictures stop, or are sent again, undamaged
  *   <li>{@code camera unplug|replug}: {@code ok}, the camera's cable is pulled, or plugged in again
  *   <li>{@code camera damage P}: {@code ok}, this part of its pictures is sent damaged, 0 to 1
  *   <li>{@code state}: the robot's true state in JSON, see {@code RobotState}

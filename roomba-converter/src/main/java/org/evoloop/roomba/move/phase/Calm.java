@@ -28,7 +28,7 @@ record Calm(long fromNanos, long frame, int looks) {
     }
 
     /** Whether the robot has looked long enough and the marker is not visible from here. */
-    boolean isInVain(Sight sight) {
+    boolean isUnsuccessful(Sight sight) {
         return looks >= (sight.promising() ? MOST : FEWEST);
     }
 }

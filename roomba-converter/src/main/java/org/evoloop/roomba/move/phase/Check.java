@@ -29,12 +29,12 @@ record Check(Memory memory, Calm calm) implements Phase {
 
     @Override
     public Step next(Situation now) {
-        Calm calmer = calm.with(now.sight());
+        Calm counted = calm.with(now.sight());
         Optional<OdometryPose> seen = now.sight().goalSince(calm.fromNanos());
-        if (seen.isPresent() && calmer.looks() >= Sight.BELIEVED_LOOKS) {
+        if (seen.isPresent() && counted.looks() >= Sight.BELIEVED_LOOKS) {
             return judge(now, seen.get());
         }
-        return Phase.standing(calmer.isInVain(now.sight()) ? Look.around(memory, now) : new Check(memory, calmer));
+        return Phase.standing(counted.isUnsuccessful(now.sight()) ? Look.around(memory, now) : new Check(memory, counted));
     }
 
     private Step judge(Situation now, OdometryPose goal) {

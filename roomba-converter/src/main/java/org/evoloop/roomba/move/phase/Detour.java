@@ -33,19 +33,19 @@ final class Detour {
         OdometryPose place = now.pose().beyond(AHEAD_MM, Math.toRadians(45) * bearing(now.obstacle()));
         boolean again = phase instanceof Leg && memory.side() != 0;
         int side = again ? memory.side() : side(memory, now.obstacle());
-        Memory wiser = memory.withDetour(place, side);
-        return Leg.of(wiser, -BACK_MM, onwards(wiser, now, again)).begun(now);
+        Memory updated = memory.withDetour(place, side);
+        return Leg.of(updated, -BACK_MM, onwards(updated, now, again)).begun(now);
     }
 
-    private static Phase onwards(Memory wiser, Situation now, boolean again) {
+    private static Phase onwards(Memory updated, Situation now, boolean again) {
         if (now.sight().goal().isEmpty() && !now.edge()) {
-            return Wandering.on(wiser, now.pose().beyond(-BACK_MM, 0), Optional.empty());
+            return Wandering.on(updated, now.pose().beyond(-BACK_MM, 0), Optional.empty());
         }
         double away = again || now.obstacle() == Obstacle.AHEAD ? FAR_AWAY_RAD : AWAY_RAD;
         return Turn.roughly(
-                wiser,
-                now.pose().headingRad() + wiser.side() * away,
-                Leg.of(wiser, SHORTEST_MM + LONGER_MM * Math.min(LONGEST, wiser.inARow()), new Look.Around(wiser)));
+                updated,
+                now.pose().headingRad() + updated.side() * away,
+                Leg.of(updated, SHORTEST_MM + LONGER_MM * Math.min(LONGEST, updated.inARow()), new Look.Around(updated)));
     }
 
     private static int bearing(Obstacle obstacle) {

@@ -74,16 +74,16 @@ record Look(Memory memory, double aheadRad, int direction, Calm calm) implements
 
     @Override
     public Step next(Situation now) {
-        Calm calmer = calm.with(now.sight());
+        Calm counted = calm.with(now.sight());
         if (now.sight().goalSince(calm.fromNanos()).isPresent()) {
             return Phase.standing(new Approach(memory));
         }
-        if (!calmer.isInVain(now.sight())) {
-            return Phase.standing(new Look(memory, aheadRad, direction, calmer));
+        if (!counted.isUnsuccessful(now.sight())) {
+            return Phase.standing(new Look(memory, aheadRad, direction, counted));
         }
         if (now.near()) {
-            Memory wiser = memory.withObstacle(now.pose().beyond(NEAR_MM, 0));
-            return new Look(wiser, aheadRad, direction, calmer).onwards(now);
+            Memory updated = memory.withObstacle(now.pose().beyond(NEAR_MM, 0));
+            return new Look(updated, aheadRad, direction, counted).onwards(now);
         }
         return onwards(now);
     }

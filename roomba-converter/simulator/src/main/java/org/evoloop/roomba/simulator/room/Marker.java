@@ -42,7 +42,7 @@ public record Marker(Pose pose, int id, double sideMm, double heightMm, boolean 
         }
     }
 
-    /** The usual marker, for all to see. */
+    /** The default marker, uncovered. */
     public static Marker at(Pose pose) {
         return new Marker(pose, 0, USUAL_SIDE_MM, USUAL_HEIGHT_MM, false, false);
     }
