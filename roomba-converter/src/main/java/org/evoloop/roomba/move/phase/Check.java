@@ -34,7 +34,8 @@ record Check(Memory memory, Calm calm) implements Phase {
         if (seen.isPresent() && counted.looks() >= Sight.BELIEVED_LOOKS) {
             return judge(now, seen.get());
         }
-        return Phase.standing(counted.isUnsuccessful(now.sight()) ? Look.around(memory, now) : new Check(memory, counted));
+        return Phase.standing(
+                counted.isUnsuccessful(now.sight()) ? Look.around(memory, now) : new Check(memory, counted));
     }
 
     private Step judge(Situation now, OdometryPose goal) {

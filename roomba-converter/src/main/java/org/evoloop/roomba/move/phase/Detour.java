@@ -45,7 +45,10 @@ final class Detour {
         return Turn.roughly(
                 updated,
                 now.pose().headingRad() + updated.side() * away,
-                Leg.of(updated, SHORTEST_MM + LONGER_MM * Math.min(LONGEST, updated.inARow()), new Look.Around(updated)));
+                Leg.of(
+                        updated,
+                        SHORTEST_MM + LONGER_MM * Math.min(LONGEST, updated.inARow()),
+                        new Look.Around(updated)));
     }
 
     private static int bearing(Obstacle obstacle) {
