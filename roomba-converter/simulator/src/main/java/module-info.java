@@ -1,4 +1,4 @@
-/** A simulated Roomba on a pseudo-terminal, in a room of its own, with an eye that a camera program can read. */
+/** A simulated Roomba on a pseudo-terminal, in a simulated room, with a camera that programs can read. */
 module org.evoloop.roomba.simulator {
     requires static org.jspecify;
     // Its commands, for a program that has them.

@@ -29,7 +29,7 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code help}: these commands
  * </ul>
  *
- * <p>Everything else is answered by {@code error: } and what is wrong, and changes nothing.
+ * <p>Any other command changes nothing; its answer is {@code error: } and the reason.
  *
  * <p>Threading: thread-safe.
  *

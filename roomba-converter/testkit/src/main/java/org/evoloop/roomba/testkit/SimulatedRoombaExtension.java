@@ -20,7 +20,7 @@ import org.junit.jupiter.api.extension.BeforeEachCallback;
 import org.junit.jupiter.api.extension.ExtensionContext;
 
 /**
- * Gives each test a simulated Roomba behind a serial port of its own, which any program can open, and ends it
+ * Gives each test a simulated Roomba on its own serial port, which any program can open, and closes it
  * afterwards.
  *
  * <pre>{@code
@@ -36,7 +36,7 @@ import org.junit.jupiter.api.extension.ExtensionContext;
  * }
  * }</pre>
  *
- * <p>Errors: what does not come to hold is an {@link AssertionError} with the state in which the robot was last.
+ * <p>Errors: a condition that does not hold in time is an {@link AssertionError} with the robot's last state.
  *
  * <p>Threading: the robot has a thread of its own; all methods may be called from any thread. One object serves one
  * test at a time.

@@ -15,10 +15,10 @@ import org.evoloop.roomba.simulator.room.Room;
  *   x = widthPx / 2 - focalPx * l / a        y = heightPx / 2 + focalPx * (heightMm - h) / a
  * </pre>
  *
- * <p>Edges are exact to a small part of a pixel. Furniture is never seen from above, shadows are no more than a hint,
- * and the robot itself is not in the picture.
+ * <p>Edges are exact to a small part of a pixel. Tops of furniture are never visible, shadows are only
+ * approximate, and the robot itself is not in the picture.
  *
- * <p>Threading: used by one thread; it works in memory of its own, and only the picture is new each time.
+ * <p>Threading: used by one thread; its buffers are reused, and only the picture is new each time.
  *
  * @since 0.1
  */

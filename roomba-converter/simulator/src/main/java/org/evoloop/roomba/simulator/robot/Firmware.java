@@ -263,7 +263,7 @@ final class Firmware {
         idleTicks = 0;
     }
 
-    /** Whether nothing has happened for so long that the robot sleeps. */
+    /** Whether the robot has been idle long enough to fall asleep. */
     boolean isTired() {
         return idleTicks >= TIRED_TICKS;
     }

@@ -13,8 +13,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A Roomba that speaks the Open Interface. It begins in standby with the interface off, at its room's start. Without a
- * call nothing happens in it: the same calls in the same order give the same bytes.
+ * A Roomba that speaks the Open Interface. It starts in standby with the interface off, at its room's start. It
+ * changes only during calls: the same calls in the same order give the same bytes.
  *
  * <pre>
  *   awake ---- 5 min idle in mode Passive, or battery empty ---&gt; asleep
@@ -22,7 +22,7 @@ import org.slf4j.LoggerFactory;
  * </pre>
  *
  * <p>Asleep it neither receives nor sends anything; when it wakes, its interface is off. The same holds for the
- * {@value #BOOT_MILLIS} ms in which it boots after command Reset; its boot text follows.
+ * {@value #BOOT_MILLIS} ms in which it boots after command Reset; then it sends its boot text.
  *
  * <p>Threading: thread-safe, each call is atomic; it has no threads of its own. The sink is called within calls and
  * must not call back.
