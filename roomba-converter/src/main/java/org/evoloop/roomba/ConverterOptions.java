@@ -226,7 +226,7 @@ final class ConverterOptions {
                 .withJournal(journal == null ? null : Journal.in(journal));
     }
 
-    /** Checks the values of a command whose options stand in no file, as {@link #refined} does for others. */
+    /** Checks the values of a command that takes no options file, as {@link #refined} does for others. */
     void checkRanges() {
         requireWithin("--search-limit", searchLimitSeconds, 1, 3600);
         if (spotWaitSeconds != null) {

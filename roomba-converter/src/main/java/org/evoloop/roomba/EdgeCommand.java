@@ -133,7 +133,7 @@ final class EdgeCommand implements Callable<Integer> {
         }
     }
 
-    /** The parts of a {@link RoombaConverter} that stand around its core. */
+    /** The parts of a {@link RoombaConverter} around its core. */
     static EdgeShell shell(LoopConfig config, RoombaSession session, RoombaOptions options, EdgeShell.Decider decider) {
         Resumption resumption = new Resumption();
         RobotModels models = options.models();

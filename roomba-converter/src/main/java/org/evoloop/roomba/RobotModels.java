@@ -104,7 +104,7 @@ public final class RobotModels {
     /**
      * The event that leads back out of a Move that has not arrived.
      *
-     * @param work what the robot does by itself; empty if it stands still
+     * @param work what the robot does by itself; empty if it is at rest
      * @param before the state before Move
      */
     String wayBack(Optional<EstimatedActivity> work, State before) {

@@ -21,7 +21,7 @@ public final class Flood {
     /** The {@code number}th event of a monitor, counted from 1. */
     public record NumberedEvent(int monitor, long number) {}
 
-    /** Counts {@code told} as executed. */
+    /** Counts an event as executed. */
     public void execute(NumberedEvent told) {
         if (told.number <= last[told.monitor]) {
             broken = true;

@@ -3,7 +3,7 @@ package org.evoloop.site;
 import java.util.Map;
 import java.util.stream.Collectors;
 
-/** What stands around a page. */
+/** The frame of a page. */
 final class Template {
     private static final String WHOLE = """
             <!DOCTYPE html>

@@ -28,7 +28,7 @@ import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Whoever uses a library finds a comment at all that its module exports, and since when a type is there. */
+/** Everything that a module exports has a comment, and its types say since when they exist. */
 class JavadocTest {
     private static final Path ROOT = Path.of(System.getProperty("evoloop.root"));
 

@@ -11,7 +11,7 @@ import java.util.TreeMap;
  * <p>Threading: for one thread at a time.
  */
 final class Arrivals {
-    /** Its time tells an event from all others; the value is when it was handed over. */
+    /** An event is identified by its time; the value is the time at which it was handed over. */
     private final NavigableMap<Long, Long> handedOver = new TreeMap<>();
 
     private static final long NEVER = -1;
@@ -54,7 +54,7 @@ final class Arrivals {
                 .count();
     }
 
-    /** Tells for how long each of those that arrived after {@code first} and not after {@code last} has waited. */
+    /** Reports how long each event has waited that arrived after {@code first} and not after {@code last}. */
     void waits(long firstNanos, long lastNanos, WaitListener listener) {
         handedOver.subMap(firstNanos, false, lastNanos, true).forEach((arrived, when) -> {
             if (when != NEVER) {

@@ -88,7 +88,7 @@ final class Bench implements AutoCloseable {
     }
 
     private void scheduleArrival() {
-        // No two events arrive at the same time: it is what tells them apart.
+        // No two events arrive at the same time, since events are identified by it.
         long delay = Math.max(1, times.untilArrival(point.arrivalsPerSecond()).toNanos());
         nextArrivalNanos = time.nanos() + delay;
         time.clock().schedule(Duration.ofNanos(delay), this::arrive);
@@ -112,7 +112,7 @@ final class Bench implements AutoCloseable {
             if (from != null && to != null) {
                 copy(from, to);
             }
-            // Nobody has a record that could be wrong.
+            // There is no record that could be wrong.
             agreement.note(true, time.nanos());
         }
 

@@ -2,7 +2,7 @@ package org.evoloop.study;
 
 /**
  * What happens besides events, named as in {@code crash.sm}, {@code sight.sm} and {@code swap.sm}. Times are means of
- * exponential ones in seconds; 0 stands for never.
+ * exponential ones in seconds; 0 means never.
  *
  * <p>Threading: immutable.
  *

@@ -72,7 +72,7 @@ final class Experiment {
         return bench.arrivals.lost(firstNanos, lastNanos) + inDevice.until(lastNanos) - inDevice.until(firstNanos);
     }
 
-    /** Whether the run has to go on until belief and device differ; with back-pressure alone they never do. */
+    /** Whether the run must continue until belief and device differ; with back-pressure alone they never do. */
     private boolean mayDiverge(Bench bench) {
         boolean backPressure =
                 point.mechanism() == Point.Mechanism.SERIAL || point.mechanism() == Point.Mechanism.PIPELINED;

@@ -3,7 +3,7 @@ package org.evoloop.study;
 /**
  * What makes the loop of a {@link Bench} work.
  *
- * <p>Threading: {@link #settle} is called by whoever uses the bench, the others where it happens.
+ * <p>Threading: {@link #settle} is called by the user of the bench, the other methods on the thread where things happen.
  */
 interface LoopDriver {
 

@@ -41,7 +41,7 @@ record Point(
         SERIAL,
         /** The framework's own way: what is converted waits for the device. */
         PIPELINED,
-        /** As {@link #PIPELINED}, but the device does not tell when it is ready: a hold-off time stands for that. */
+        /** As {@link #PIPELINED}, but the device does not report when it is ready: a hold-off time replaces that. */
         HOLDOFF
     }
 

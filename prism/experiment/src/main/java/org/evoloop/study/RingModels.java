@@ -16,7 +16,7 @@ final class RingModels {
 
     private RingModels() {}
 
-    /** @param edition that of the new model: one more edition has one more event, which nobody uses */
+    /** @param edition that of the new model: each edition adds one event, which is never used */
     static ModelPair pair(int edition) {
         return new ModelPair(ring("ring").build(), withJumps(edition).build());
     }

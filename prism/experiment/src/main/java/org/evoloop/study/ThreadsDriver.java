@@ -55,7 +55,7 @@ final class ThreadsDriver implements LoopDriver {
 
     @Override
     public void pressed() {
-        // The monitor has told the loop by itself.
+        // The monitor has already reported it to the loop.
     }
 
     @Override

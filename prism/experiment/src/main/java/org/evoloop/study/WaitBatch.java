@@ -14,7 +14,7 @@ final class WaitBatch {
     private long number;
     private long sumNanos;
 
-    /** @param longestSeconds up to which waiting times are told apart */
+    /** @param longestSeconds up to which waiting times are distinguished */
     WaitBatch(int longestSeconds) {
         longerThan = new long[longestSeconds + 1];
     }

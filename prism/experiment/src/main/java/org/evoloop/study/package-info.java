@@ -3,7 +3,7 @@
  * models predict: losses, completion times, waiting times, and what crashes, links that break and other models change
  * in them.
  *
- * <p>This room may use all of the framework; nothing uses it but the study's programs, which call it as a process.
+ * <p>This package may use all of the framework; it is used only by the study's programs, which call it as a process.
  */
 @NullMarked
 package org.evoloop.study;

@@ -56,7 +56,7 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
         /**
          * The event.
          *
-         * @param work what the robot does by itself after somebody has used its buttons; empty if it stands still
+         * @param work what the robot does by itself after somebody has used its buttons; empty if it is at rest
          */
         String event(Optional<EstimatedActivity> work);
     }

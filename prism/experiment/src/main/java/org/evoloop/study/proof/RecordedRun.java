@@ -269,7 +269,7 @@ final class RecordedRun {
         }
     }
 
-    /** The next process goes on with the files as they are at this moment. */
+    /** The next process continues with the files as they are at this moment. */
     private void crash() {
         Path before = journal();
         ended = true;

@@ -15,13 +15,13 @@ import org.evoloop.journal.JournalRecord;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the core was told in a recorded run, as its journal has it: a line for each input, and one for what it knew
+ * The core's inputs in a recorded run, from its journal: a line for each input, and one for what it knew
  * then.
  *
  * <p>Threading: for one thread.
  */
 final class RecordedTrace {
-    /** What a process may be told before it is opened. */
+    /** The inputs that a process may get before it is opened. */
     private static final Set<String> PREPARING = Set.of("changed", "observed", "closing");
 
     private final EvolvingPair evolution;
@@ -57,7 +57,7 @@ final class RecordedTrace {
     }
 
     /**
-     * Whether another process goes on here: it begins a segment, and is opened though the one before was never closed.
+     * Whether another process continues here: it begins a segment, and is opened although the previous one was never closed.
      */
     private boolean beginsProcess(List<JournalRecord> records, int index) {
         String segment = records.get(index).segment();
@@ -107,7 +107,7 @@ final class RecordedTrace {
         return recorded.segment() + ", record " + recorded.number();
     }
 
-    /** The monotonic clocks of two processes have nothing in common; what passed in between, the time of day tells. */
+    /** The monotonic clocks of two processes are unrelated; the time of day says how much time passed in between. */
     private void followClock(JournalRecord recorded) {
         Duration now = Duration.between(Instant.EPOCH.plusNanos(recorded.nanos()), recorded.at());
         Duration before = offset;

@@ -27,10 +27,10 @@ final class StateText {
         return new StateText(evolution, now).write(swapped);
     }
 
-    /** An occurrence as numbers: its event or state, who tells it, and of which visit. */
+    /** An occurrence as numbers: its event or state, its source, and its visit. */
     record Numbers(int what, int source, int visit) {}
 
-    /** @param now before it is told */
+    /** @param now the time before the input */
     static Numbers numbers(EvolvingPair evolution, Snapshot now, Occurrence occurrence) {
         StateText text = new StateText(evolution, now);
         return new Numbers(text.what(occurrence), source(occurrence), text.visit(occurrence));

@@ -179,7 +179,7 @@ final class Trace {
         }
     }
 
-    /** What is done to the converter, or told of a step that nobody waits for. */
+    /** An action on the converter, or a report about a step that it no longer waits for. */
     private void operate() {
         switch (random.nextInt(10)) {
             case 0 -> tell(new Input.Closing(), "CLOSING");

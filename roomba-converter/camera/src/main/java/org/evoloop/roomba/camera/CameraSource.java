@@ -30,7 +30,7 @@ public record CameraSource(Kind kind, String text) {
         FILE,
         /** Pictures with a number in their names, such as {@code frames/%04d.png}. */
         IMAGE_SEQUENCE,
-        /** The camera of the simulated robot; whoever starts that robot knows its URL. */
+        /** The camera of the simulated robot; the program that starts the robot knows its URL. */
         SIMULATED
     }
 

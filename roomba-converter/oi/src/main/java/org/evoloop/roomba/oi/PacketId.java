@@ -19,7 +19,7 @@ public sealed interface PacketId permits Packet, PacketGroup {
     /** How many bytes the robot sends for it. */
     int size();
 
-    /** The packets it stands for, in the order of their bytes. */
+    /** The packets that it consists of, in the order of their bytes. */
     List<Packet> members();
 
     /**

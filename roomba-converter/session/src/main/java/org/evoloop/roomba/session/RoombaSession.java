@@ -264,7 +264,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     }
 
     /**
-     * Leaves the robot as it is when nobody uses it: in Passive mode, where its buttons act and it falls asleep after
+     * Leaves the robot in its normal state: in Passive mode, where its buttons act and it falls asleep after
      * five minutes.
      *
      * @throws LinkException if the command could not be sent

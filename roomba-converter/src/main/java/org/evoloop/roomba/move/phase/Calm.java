@@ -1,7 +1,7 @@
 package org.evoloop.roomba.move.phase;
 
 /**
- * Counts the looks taken while the robot stands still. Pictures taken at rest are sharp and give correct places.
+ * Counts the looks taken while the robot is at rest. Pictures taken at rest are sharp and give correct places.
  *
  * <p>Threading: immutable.
  *

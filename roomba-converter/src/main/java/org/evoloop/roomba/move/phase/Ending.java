@@ -10,7 +10,7 @@ import org.evoloop.roomba.session.inference.ActivityEstimate.EstimatedActivity;
  *
  * @param reason a text for people; empty while Move may continue
  * @param byPerson whether somebody at the robot has ended it
- * @param work what that person has made the robot do by itself; empty if it stands still
+ * @param work what that person has made the robot do by itself; empty if it is at rest
  */
 public record Ending(String reason, boolean byPerson, Optional<EstimatedActivity> work) {
     /** Move may continue. */

@@ -395,7 +395,7 @@ public final class Connection {
                 : known;
     }
 
-    /** The robot may use the alternate rate; tells it there to return to the usual one. */
+    /** The robot may use the alternate rate; sends it the command there to return to the usual one. */
     private void changeRate() {
         plug.pull();
         try {

@@ -25,7 +25,7 @@ final class ConnectionState {
         UP,
         /** The link is open, and the robot ignores commands until it is woken. */
         ASLEEP,
-        /** The robot is told, at the alternate rate, to return to the usual one; frames are ignored. */
+        /** At the alternate rate, the robot is sent the command to return to the usual one; frames are ignored. */
         CHANGING_RATE,
         DOWN,
         CLOSED

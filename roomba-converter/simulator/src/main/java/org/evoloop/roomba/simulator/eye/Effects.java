@@ -28,7 +28,7 @@ public record Effects(
     /** A cheap camera in a room with one window. */
     public static final Effects TYPICAL = new Effects(1.1, 8, 0, 0, 0.4, 1.1);
 
-    /** The same camera at dusk, on a robot that never stands still. */
+    /** The same camera at dusk, on a robot that never stops. */
     public static final Effects HARD = new Effects(1.5, 14, 7, 0, 0.2, 1.1);
 
     static final int LONGEST_SMEAR_PX = 60;

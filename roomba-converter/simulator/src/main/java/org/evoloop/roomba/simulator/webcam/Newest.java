@@ -3,7 +3,7 @@ package org.evoloop.roomba.simulator.webcam;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Hands the newest of many things to whoever is ready for one; whatever nobody took in time is forgotten.
+ * Passes the newest of many things to each thread that is ready for one; older things are dropped.
  *
  * <p>Threading: thread-safe.
  */

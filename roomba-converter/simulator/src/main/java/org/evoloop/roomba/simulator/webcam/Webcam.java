@@ -17,9 +17,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The robot's camera, served on this machine as motion JPEG, and the faults that cameras have. It is told every state
- * of the robot and shows the newest one as often as it should, by the robot's time; while nobody looks, nothing is
- * drawn. Neither drawing nor clients ever hold up whoever tells it.
+ * The robot's camera, served on this machine as motion JPEG, and the faults that cameras have. It gets every state
+ * of the robot and shows the newest one at its frame rate, in the robot's time; without clients, nothing is drawn.
+ * Neither drawing nor clients delay the thread that reports the states.
  *
  * <p>Threading: thread-safe; it draws on a thread of its own.
  *
@@ -60,7 +60,7 @@ public final class Webcam implements Consumer<RobotState>, AutoCloseable {
     /**
      * Begins to serve.
      *
-     * @throws IOException if the port cannot be had; the message tells what to do
+     * @throws IOException if the port cannot be used; the message says what to do
      */
     public static Webcam start(WebcamOptions options) throws IOException {
         Webcam webcam = new Webcam(options);
@@ -159,7 +159,7 @@ public final class Webcam implements Consumer<RobotState>, AutoCloseable {
     }
 
     /**
-     * Pulls the camera's cable: its clients are hung up on, and nobody can reach it.
+     * Pulls the camera's cable: its clients are disconnected, and it cannot be reached.
      *
      * @throws IllegalArgumentException if it is unplugged already
      */
