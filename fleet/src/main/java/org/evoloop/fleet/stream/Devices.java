@@ -10,7 +10,7 @@ import org.apache.kafka.streams.state.KeyValueStore;
 import org.evoloop.core.text.SnapshotException;
 import org.evoloop.fleet.device.Device;
 import org.evoloop.fleet.device.DeviceState;
-import org.evoloop.fleet.device.DeviceStateText;
+import org.evoloop.fleet.device.DeviceStateBytes;
 import org.evoloop.fleet.wire.Refusal;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -68,15 +68,15 @@ final class Devices {
 
     private DeviceState read(byte[] bytes) {
         try {
-            return DeviceStateText.read(
-                    library.model(DeviceStateText.model(bytes)).rules(), bytes);
+            return DeviceStateBytes.read(
+                    library.model(DeviceStateBytes.model(bytes)).rules(), bytes);
         } catch (SnapshotException | IllegalArgumentException e) {
             throw new Refusal(Refusal.Reason.UNUSABLE_STATE, "what is kept of the device: " + e.getMessage());
         }
     }
 
     void put(String id, DeviceState kept) {
-        store.put(id, DeviceStateText.write(kept));
+        store.put(id, DeviceStateBytes.write(kept));
         recent.put(id, kept);
     }
 
@@ -127,7 +127,7 @@ final class Devices {
     /** Of bytes that cannot be read, none: that is told when something happens at the device. */
     private static String version(byte[] bytes) {
         try {
-            return DeviceStateText.model(bytes);
+            return DeviceStateBytes.model(bytes);
         } catch (IllegalArgumentException unreadable) {
             return "";
         }
