@@ -1,5 +1,7 @@
 package org.evoloop.fleet.bench;
 
+import java.util.EnumSet;
+import java.util.Set;
 import org.apache.kafka.common.serialization.Serdes;
 import org.apache.kafka.streams.AutoOffsetReset;
 import org.apache.kafka.streams.Topology;
@@ -8,47 +10,53 @@ import org.apache.kafka.streams.processor.api.ProcessorContext;
 import org.apache.kafka.streams.processor.api.Record;
 import org.apache.kafka.streams.state.KeyValueStore;
 import org.apache.kafka.streams.state.Stores;
+import org.evoloop.fleet.wire.Letters;
 import org.evoloop.fleet.wire.Topic;
 
 /**
- * Measures the cost of Kafka Streams alone: each record reads the device's bytes, writes them back, and is passed on.
+ * Measures the cost of Kafka Streams alone: each record reads the device's bytes, writes others back, and has records
+ * written. They are those of the fleet, as many and as long, but nobody has to find out what they say.
  */
 final class PassThrough implements Processor<String, byte[], String, byte[]> {
     private static final String STORE = "devices";
+    private static final Set<Topic> IN = EnumSet.of(Topic.DEVICES, Topic.OCCURRENCES, Topic.EFFECTS);
+    private static final Set<Topic> OUT = EnumSet.of(Topic.COMMANDS, Topic.DECISIONS, Topic.STATES);
 
-    private final byte[] initial;
+    private final Exchange exchange;
     private ProcessorContext<String, byte[]> context;
     private KeyValueStore<String, byte[]> store;
 
     @SuppressWarnings("NullAway.Init") // init comes before all else
-    private PassThrough(int storedBytes) {
-        this.initial = new byte[storedBytes];
+    private PassThrough(Exchange exchange) {
+        this.exchange = exchange;
     }
 
-    /** @param storedBytes the bytes stored for a device */
-    static Topology topology(String fleet, int storedBytes) {
+    static Topology topology(String fleet, Exchange exchange) {
         Topology topology = new Topology();
-        String[] sources = {"devices-in", "occurrences-in", "effects-in"};
-        Topic[] topics = {Topic.DEVICES, Topic.OCCURRENCES, Topic.EFFECTS};
-        for (int each = 0; each < sources.length; each++) {
+        for (Topic topic : IN) {
             topology.addSource(
                     AutoOffsetReset.earliest(),
-                    sources[each],
+                    "from-" + topic,
                     Serdes.String().deserializer(),
                     Serdes.ByteArray().deserializer(),
-                    topics[each].of(fleet));
+                    topic.of(fleet));
         }
-        topology.addProcessor("pass-through", () -> new PassThrough(storedBytes), sources);
+        topology.addProcessor(
+                "pass-through",
+                () -> new PassThrough(exchange),
+                IN.stream().map(topic -> "from-" + topic).toArray(String[]::new));
         topology.addStateStore(
                 Stores.keyValueStoreBuilder(Stores.inMemoryKeyValueStore(STORE), Serdes.String(), Serdes.ByteArray())
                         .withCachingEnabled(),
                 "pass-through");
-        topology.addSink(
-                "out",
-                Topic.DECISIONS.of(fleet),
-                Serdes.String().serializer(),
-                Serdes.ByteArray().serializer(),
-                "pass-through");
+        for (Topic topic : OUT) {
+            topology.addSink(
+                    topic.name(),
+                    topic.of(fleet),
+                    Serdes.String().serializer(),
+                    Serdes.ByteArray().serializer(),
+                    "pass-through");
+        }
         return topology;
     }
 
@@ -58,10 +66,19 @@ final class PassThrough implements Processor<String, byte[], String, byte[]> {
         store = given.getStateStore(STORE);
     }
 
+    /** The first of a device's bytes is used for the number of the step. */
     @Override
     public void process(Record<String, byte[]> record) {
         byte[] known = store.get(record.key());
-        store.put(record.key(), known == null ? initial.clone() : known.clone());
-        context.forward(record);
+        int number = known == null ? 0 : exchange.after(known[0]);
+        Exchange.Step step = exchange.steps().get(number);
+        byte[] kept = step.kept().clone();
+        kept[0] = (byte) number;
+        store.put(record.key(), kept);
+        for (Letters.Letter letter : step.letters()) {
+            context.forward(
+                    new Record<>(record.key(), letter.text(), record.timestamp()),
+                    letter.topic().name());
+        }
     }
 }

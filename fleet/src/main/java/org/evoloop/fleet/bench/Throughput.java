@@ -27,6 +27,7 @@ import org.evoloop.fleet.stream.FleetTopics;
 import org.evoloop.fleet.stream.FleetTopology;
 import org.evoloop.fleet.wire.ModelRecord;
 import org.evoloop.fleet.wire.Topic;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Measures how fast a backlog of records at the broker is processed, from when the instance runs until the last record
@@ -67,9 +68,10 @@ final class Throughput {
         this.lamp = lamp;
     }
 
-    /** @param storedBytes the bytes that a bare topology stores for a device; 0 for the fleet itself */
-    Measured of(int devices, int events, int storedBytes, boolean inMemory) throws InterruptedException {
+    /** @param bare whether the records only pass through */
+    Measured of(int devices, int events, boolean bare, boolean inMemory) throws InterruptedException {
         runs++;
+        Exchange exchange = bare ? Exchange.with(lamp, Math.max(1, events / devices / Traffic.CYCLE)) : null;
         String name = "bench-" + runs;
         FleetSettings plain = FleetSettings.defaults()
                 .withFleet(name)
@@ -82,18 +84,18 @@ final class Throughput {
             topics.create(PARTITIONS);
             traffic.write(Topic.MODELS, "lamp", lamp.bytes(), System.currentTimeMillis());
             traffic.register("lamp");
-            try (Fleet fleet = started(settings, topology(settings, storedBytes))) {
+            try (Fleet fleet = started(settings, topology(settings, exchange))) {
                 awaitDone(admin, fleet.name(), Topic.DEVICES);
             }
             traffic.happen(events);
-            Measured measured = measure(admin, settings, topology(settings, storedBytes), events);
+            Measured measured = measure(admin, settings, topology(settings, exchange), events);
             topics.delete();
             return measured;
         }
     }
 
-    private static Topology topology(FleetSettings settings, int storedBytes) {
-        return storedBytes > 0 ? PassThrough.topology(settings.fleet(), storedBytes) : FleetTopology.of(settings);
+    private static Topology topology(FleetSettings settings, @Nullable Exchange exchange) {
+        return exchange != null ? PassThrough.topology(settings.fleet(), exchange) : FleetTopology.of(settings);
     }
 
     private Fleet started(FleetSettings settings, Topology topology) throws InterruptedException {

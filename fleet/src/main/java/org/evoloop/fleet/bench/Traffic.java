@@ -56,6 +56,18 @@ final class Traffic implements AutoCloseable {
         return "lamp-" + device;
     }
 
+    static Occurrence press(long atNanos) {
+        return new Occurrence.Heard(SWITCH, Values.NONE, Source.CONTROLLER, Occurrence.ANY_VISIT, atNanos);
+    }
+
+    static Answer sent(long sequence, long atNanos) {
+        return new Answer(sequence, Answer.Outcome.SENT, "", null, atNanos);
+    }
+
+    static Occurrence switchedOff(long atNanos) {
+        return new Occurrence.Found(OFF, atNanos);
+    }
+
     void write(Topic topic, String key, byte[] record, long timestamp) {
         Future<RecordMetadata> sent =
                 producer.send(new ProducerRecord<>(topic.of(fleet), null, timestamp, key, record));
@@ -81,15 +93,12 @@ final class Traffic implements AutoCloseable {
             long at = Wire.nanos(millis);
             String id = id(device);
             if (step[device] == 0) {
-                Occurrence press =
-                        new Occurrence.Heard(SWITCH, Values.NONE, Source.CONTROLLER, Occurrence.ANY_VISIT, at);
-                write(Topic.OCCURRENCES, id, Wire.occurrence(press, 0), millis);
+                write(Topic.OCCURRENCES, id, Wire.occurrence(press(at), 0), millis);
             } else if (step[device] == 1) {
                 sequence[device]++;
-                Answer sent = new Answer(sequence[device], Answer.Outcome.SENT, "", null, at);
-                write(Topic.EFFECTS, id, Wire.effect(sent), millis);
+                write(Topic.EFFECTS, id, Wire.effect(sent(sequence[device], at)), millis);
             } else {
-                write(Topic.OCCURRENCES, id, Wire.occurrence(new Occurrence.Found(OFF, at), 0), millis);
+                write(Topic.OCCURRENCES, id, Wire.occurrence(switchedOff(at), 0), millis);
             }
             step[device] = (byte) ((step[device] + 1) % CYCLE);
         }

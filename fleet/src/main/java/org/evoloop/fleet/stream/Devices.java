@@ -11,7 +11,7 @@ import org.apache.kafka.streams.state.KeyValueStore;
 import org.evoloop.core.text.SnapshotException;
 import org.evoloop.fleet.device.Device;
 import org.evoloop.fleet.device.DeviceState;
-import org.evoloop.fleet.device.DeviceStateText;
+import org.evoloop.fleet.device.DeviceStateBytes;
 import org.evoloop.fleet.wire.Refusal;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -68,16 +68,16 @@ final class Devices {
 
     private DeviceState read(byte[] bytes) {
         try {
-            return DeviceStateText.read(
-                    library.model(DeviceStateText.model(bytes)).rules(), bytes);
+            return DeviceStateBytes.read(
+                    library.model(DeviceStateBytes.model(bytes)).rules(), bytes);
         } catch (SnapshotException | IllegalArgumentException e) {
             throw new Refusal(Refusal.Reason.UNUSABLE_STATE, "the stored state of the device: " + e.getMessage());
         }
     }
 
-    void put(String id, DeviceState state) {
-        store.put(id, DeviceStateText.write(state));
-        recent.put(id, state);
+    void put(String id, DeviceState kept) {
+        store.put(id, DeviceStateBytes.write(kept));
+        recent.put(id, kept);
     }
 
     void remove(String id) {
@@ -127,7 +127,7 @@ final class Devices {
     /** Empty if the bytes cannot be read; the next record for the device reports the error. */
     private static String version(byte[] bytes) {
         try {
-            return DeviceStateText.model(bytes);
+            return DeviceStateBytes.model(bytes);
         } catch (IllegalArgumentException unreadable) {
             return "";
         }

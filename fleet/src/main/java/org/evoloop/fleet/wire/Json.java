@@ -1,89 +1,96 @@
 package org.evoloop.fleet.wire;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Writes one JSON object, its members in the order of the calls, so that equal content gives equal bytes.
+ * Writes one JSON object as bytes, its members in the order in which they are told, so that the same things give the
+ * same bytes.
  */
 final class Json {
-    private final StringBuilder text;
+    /** Large enough for most records. */
+    private static final int CAPACITY = 256;
+
+    private static final int DECIMAL = 10;
+    private static final int ASCII = 0x80;
+    private static final byte[] BEGIN = ("{\"schema\":" + Wire.SCHEMA).getBytes(StandardCharsets.US_ASCII);
+
+    private byte[] bytes;
+    private int length;
 
     /** A record. */
     Json() {
-        this(new StringBuilder(160).append("{\"schema\":").append(Wire.SCHEMA));
+        bytes = Arrays.copyOf(BEGIN, CAPACITY);
+        length = BEGIN.length;
     }
 
-    private Json(StringBuilder text) {
-        this.text = text;
+    /** Begins an object in this one; {@link #end} ends it. */
+    Json begin(String name) {
+        name(name);
+        return octet('{');
     }
 
-    /** An object inside a record. */
-    static Json inner() {
-        return new Json(new StringBuilder("{"));
+    Json end() {
+        return octet('}');
     }
 
-    private StringBuilder name(String name) {
-        if (text.length() > 1) {
-            text.append(',');
+    private Json name(String name) {
+        if (bytes[length - 1] != '{') {
+            octet(',');
         }
-        quoted(name);
-        return text.append(':');
+        return quoted(name).octet(':');
     }
 
     Json with(String name, long value) {
-        name(name).append(value);
-        return this;
+        return name(name).number(value);
     }
 
     Json with(String name, double value) {
-        name(name).append(value);
-        return this;
+        return name(name).plain(Double.toString(value));
     }
 
     Json with(String name, boolean value) {
-        name(name).append(value);
-        return this;
+        return name(name).plain(Boolean.toString(value));
     }
 
     Json with(String name, String value) {
-        name(name);
-        quoted(value);
-        return this;
+        return name(name).quoted(value);
     }
 
     Json withText(String name, @Nullable String value) {
         return value == null || value.isEmpty() ? this : with(name, value);
     }
 
-    Json with(String name, Json value) {
-        name(name).append(value.text).append('}');
-        return this;
-    }
-
     Json with(String name, Collection<String> values) {
-        name(name).append('[');
-        String between = "";
+        name(name).octet('[');
+        boolean first = true;
         for (String value : values) {
-            text.append(between);
+            if (!first) {
+                octet(',');
+            }
             quoted(value);
-            between = ",";
+            first = false;
         }
-        text.append(']');
-        return this;
+        return octet(']');
     }
 
-    Json withObjects(String name, Collection<Json> values) {
-        name(name).append('[');
-        String between = "";
-        for (Json value : values) {
-            text.append(between).append(value.text).append('}');
-            between = ",";
+    /** Begins a list of objects; {@link #element} begins each, {@link #endList} ends the list. */
+    Json beginList(String name) {
+        return name(name).octet('[');
+    }
+
+    Json element() {
+        if (bytes[length - 1] != '[') {
+            octet(',');
         }
-        text.append(']');
-        return this;
+        return octet('{');
+    }
+
+    Json endList() {
+        return octet(']');
     }
 
     /** Strings, numbers and booleans by name. */
@@ -91,53 +98,93 @@ final class Json {
         if (values.isEmpty()) {
             return this;
         }
-        Json inner = inner();
+        begin(name);
         values.forEach((key, value) -> {
             if (value instanceof String words) {
-                inner.with(key, words);
+                with(key, words);
             } else if (value instanceof Boolean truth) {
-                inner.with(key, truth.booleanValue());
+                with(key, truth.booleanValue());
             } else if (value instanceof Double number) {
-                inner.with(key, number.doubleValue());
+                with(key, number.doubleValue());
             }
         });
-        return with(name, inner);
+        return end();
     }
 
-    private void quoted(String words) {
-        text.append('"');
-        if (isPlain(words)) {
-            text.append(words);
+    private Json quoted(String words) {
+        octet('"');
+        room(words.length());
+        for (int at = 0; at < words.length(); at++) {
+            char each = words.charAt(at);
+            if (each >= ASCII) {
+                // What follows may belong to the same character.
+                other(words.substring(at));
+                break;
+            }
+            ascii(each);
+        }
+        return octet('"');
+    }
+
+    private void ascii(char each) {
+        if (each == '"' || each == '\\') {
+            octet('\\').octet(each);
+        } else if (each < ' ') {
+            plain(String.format("\\u%04x", (int) each));
         } else {
-            escaped(words);
+            octet(each);
         }
-        text.append('"');
     }
 
-    private static boolean isPlain(String words) {
-        for (int at = 0; at < words.length(); at++) {
-            char each = words.charAt(at);
-            if (each == '"' || each == '\\' || each < ' ') {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    private void escaped(String words) {
-        for (int at = 0; at < words.length(); at++) {
-            char each = words.charAt(at);
-            if (each == '"' || each == '\\') {
-                text.append('\\').append(each);
-            } else if (each < ' ') {
-                text.append(String.format("\\u%04x", (int) each));
+    private void other(String words) {
+        for (byte each : words.getBytes(StandardCharsets.UTF_8)) {
+            if (each < 0) {
+                octet(each);
             } else {
-                text.append(each);
+                ascii((char) each);
             }
+        }
+    }
+
+    private Json number(long value) {
+        if (value < 0) {
+            return plain(Long.toString(value));
+        }
+        int digits = 1;
+        for (long rest = value / DECIMAL; rest > 0; rest /= DECIMAL) {
+            digits++;
+        }
+        room(digits);
+        long rest = value;
+        for (int at = length + digits - 1; at >= length; at--) {
+            bytes[at] = (byte) ('0' + rest % DECIMAL);
+            rest /= DECIMAL;
+        }
+        length += digits;
+        return this;
+    }
+
+    private Json plain(String ascii) {
+        for (int at = 0; at < ascii.length(); at++) {
+            octet(ascii.charAt(at));
+        }
+        return this;
+    }
+
+    private Json octet(int value) {
+        room(1);
+        bytes[length++] = (byte) value;
+        return this;
+    }
+
+    private void room(int more) {
+        if (length + more > bytes.length) {
+            bytes = Arrays.copyOf(bytes, Math.max(2 * bytes.length, length + more));
         }
     }
 
     byte[] bytes() {
-        return text.append('}').toString().getBytes(StandardCharsets.UTF_8);
+        octet('}');
+        return Arrays.copyOf(bytes, length);
     }
 }

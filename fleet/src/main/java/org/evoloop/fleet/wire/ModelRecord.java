@@ -60,14 +60,15 @@ public record ModelRecord(
                 .with("original", original)
                 .with("new", evolved)
                 .with("queue", queueCapacity);
-        json.withObjects(
-                "timers",
-                timers.stream()
-                        .map(timer -> Json.inner()
-                                .with("state", timer.state)
-                                .with("event", timer.event)
-                                .with("millis", timer.millis))
-                        .toList());
+        json.beginList("timers");
+        for (Timer timer : timers) {
+            json.element()
+                    .with("state", timer.state)
+                    .with("event", timer.event)
+                    .with("millis", timer.millis)
+                    .end();
+        }
+        json.endList();
         return json.with("text", text).bytes();
     }
 

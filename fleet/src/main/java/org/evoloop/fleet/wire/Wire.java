@@ -5,6 +5,7 @@ import java.util.Base64;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import org.evoloop.core.Output;
 import org.evoloop.core.Snapshot;
 import org.evoloop.evolution.Configuration;
@@ -28,6 +29,16 @@ public final class Wire {
     public static final int SCHEMA = 1;
 
     private static final long NANOS_PER_MILLI = 1_000_000;
+
+    private static final ClassValue<String[]> WORDS = new ClassValue<>() {
+        @Override
+        protected String[] computeValue(Class<?> type) {
+            return Stream.of(type.getEnumConstants())
+                    .map(each ->
+                            ((Enum<?>) each).name().toLowerCase(Locale.ROOT).replace('_', '-'))
+                    .toArray(String[]::new);
+        }
+    };
 
     private Wire() {}
 
@@ -64,8 +75,7 @@ public final class Wire {
         json.with("kind", occurrence instanceof Occurrence.Asked ? "asked" : "heard")
                 .with("event", occurrence.label());
         if (occurrence instanceof Occurrence.Heard heard) {
-            json.with("source", heard.source().name().toLowerCase(Locale.ROOT))
-                    .with("deviceActed", heard.deviceActed());
+            json.with("source", word(heard.source())).with("deviceActed", heard.deviceActed());
             if (!heard.holding().isEmpty()) {
                 json.with("holding", heard.holding().stream().sorted().toList());
             }
@@ -106,9 +116,9 @@ public final class Wire {
     /** For {@link Topic#DECISIONS}; null if the notice is not published. */
     public static byte @Nullable [] decision(String model, Output.Notice notice) {
         if (notice instanceof Output.Ended ended) {
-            return occurrence(model, word(ended.outcome()), ended.occurrence())
-                    .with("before", at(ended.before()))
-                    .with("after", at(ended.after()))
+            Json json = occurrence(model, word(ended.outcome()), ended.occurrence());
+            at(json, "before", ended.before());
+            return at(json, "after", ended.after())
                     .withText("detail", ended.detail())
                     .bytes();
         } else if (notice instanceof Output.Dropped dropped) {
@@ -122,12 +132,9 @@ public final class Wire {
                     .withText("detail", doubted.why())
                     .bytes();
         } else if (notice instanceof Output.Evolved evolved) {
-            return new Json()
-                    .with("model", model)
-                    .with("outcome", "evolved")
-                    .with("before", at(evolved.before()))
-                    .with("after", at(evolved.fate().at()))
-                    .bytes();
+            Json json = new Json().with("model", model).with("outcome", "evolved");
+            at(json, "before", evolved.before());
+            return at(json, "after", evolved.fate().at()).bytes();
         }
         return null;
     }
@@ -141,10 +148,11 @@ public final class Wire {
                 .with("atMillis", millis(occurrence.observedNanos()));
     }
 
-    private static Json at(Configuration at) {
-        return Json.inner()
+    private static Json at(Json json, String name, Configuration at) {
+        return json.begin(name)
                 .with("device", at.original().name())
-                .with("system", at.evolved().name());
+                .with("system", at.evolved().name())
+                .end();
     }
 
     /** For {@link Topic#STATES}. */
@@ -164,11 +172,11 @@ public final class Wire {
                 .with("settled", state.open() == null && !snapshot.visit().over());
         Map<Event, Long> deadlines = snapshot.visit().deadlines();
         if (!deadlines.isEmpty()) {
-            Json timers = Json.inner();
             Map<String, Long> sorted = new TreeMap<>();
             deadlines.forEach((timer, due) -> sorted.put(timer.name(), millis(due)));
-            sorted.forEach(timers::with);
-            json.with("timersMillis", timers);
+            json.begin("timersMillis");
+            sorted.forEach(json::with);
+            json.end();
         }
         return snapshot.doubt() == null || snapshot.doubt().settled()
                 ? json.bytes()
@@ -188,9 +196,10 @@ public final class Wire {
                 .bytes();
     }
 
-    /** A constant's name in records. */
+    /** How a constant is called in records. */
+    @SuppressWarnings("EnumOrdinal") // of the array that was made of the same constants
     static String word(Enum<?> constant) {
-        return constant.name().toLowerCase(Locale.ROOT).replace('_', '-');
+        return WORDS.get(constant.getDeclaringClass())[constant.ordinal()];
     }
 
     /** The text of {@code record}, for logs and tables. */

@@ -26,7 +26,7 @@ class SnapshotTextTest {
     private static final Rules ROBOT = Scene.robot().rules();
 
     /** A robot with much going on: a plan of two steps in doubt, a fact, a press and a function's event that wait. */
-    private static Snapshot eventful() {
+    static Snapshot eventful() {
         ScriptedCore told = new ScriptedCore(Scene.robot());
         told.press("Clean").begins().sent(false).press("Clean").begins().sent(false);
         told.press("Clean").ready().planned();
@@ -47,7 +47,7 @@ class SnapshotTextTest {
     }
 
     /** A robot that is about to be sent the first of two steps. */
-    private static Snapshot onADetour() {
+    static Snapshot onADetour() {
         ScriptedCore told = new ScriptedCore(Scene.robot());
         told.press("Clean").begins().sent(false).press("Clean").begins().sent(false);
         told.press("Clean").ready().planned();
@@ -55,7 +55,7 @@ class SnapshotTextTest {
     }
 
     /** The same, whose second step has failed, and which is to be sent back. */
-    private static Snapshot brokenOff() {
+    static Snapshot brokenOff() {
         ScriptedCore told = new ScriptedCore(Scene.robot().onFailure(OnFailure.GO_BACK));
         told.press("Clean").begins().sent(false).press("Clean").begins().sent(false);
         told.press("Clean").ready().planned();

@@ -1,10 +1,7 @@
 package org.evoloop.core.text;
 
-import java.util.ArrayList;
-import java.util.List;
-
 /** The lines of a text, read one after another, word by word, in place: only requested words are copied. */
-final class Lines {
+final class Lines extends Items {
     private static final int DECIMAL = 10;
 
     private final String text;
@@ -23,15 +20,17 @@ final class Lines {
         this.text = text;
     }
 
+    @Override
     SnapshotException wrong(String what) {
         return new SnapshotException("snapshot, line " + number + ": " + what);
     }
 
+    @Override
     SnapshotException damaged(String what) {
         return wrong(what + "; the text is damaged, use another copy or start without it");
     }
 
-    /** Advances to the next line, which must begin with {@code first}. */
+    @Override
     void next(String first) {
         goOn();
         int to = wordEnd(begin);
@@ -41,7 +40,7 @@ final class Lines {
         place = to;
     }
 
-    /** Advances to the next line, and returns its first word. */
+    @Override
     String next() {
         goOn();
         return word();
@@ -70,14 +69,14 @@ final class Lines {
         return at;
     }
 
-    /** Requires the line to be read completely. */
+    @Override
     void ends() {
         if (place < end) {
             throw damaged("'" + text.substring(place, end).strip() + "' is too much");
         }
     }
 
-    /** Requires the text to end here. */
+    @Override
     void endsAll() {
         ends();
         if (next < text.length()) {
@@ -86,11 +85,11 @@ final class Lines {
         }
     }
 
-    boolean isQuotedNext() {
+    private boolean isQuotedNext() {
         return place + 1 < end && text.charAt(place) == ' ' && text.charAt(place + 1) == '"';
     }
 
-    /** Reads a word without quotes. */
+    @Override
     String word() {
         int from = wordBegin();
         place = wordEnd(from);
@@ -108,7 +107,7 @@ final class Lines {
         return place + 1;
     }
 
-    /** Reads one of two words: whether it is {@code yes}. */
+    @Override
     boolean choice(String yes, String no) {
         String word = word();
         if (!word.equals(yes) && !word.equals(no)) {
@@ -117,56 +116,44 @@ final class Lines {
         return word.equals(yes);
     }
 
+    @Override
     long number() {
         int from = wordBegin();
         place = wordEnd(from);
         try {
             return Long.parseLong(text, from, place, DECIMAL);
         } catch (NumberFormatException e) {
-            throw noNumber(text.substring(from, place));
+            throw damaged("a number was expected, not '" + text.substring(from, place) + "'");
         }
     }
 
-    private SnapshotException noNumber(String word) {
-        return damaged("a number was expected, not '" + word + "'");
+    @Override
+    boolean isNone() {
+        int to = wordEnd(Math.min(place + 1, end));
+        if (!text.startsWith(" none", place) || to - place != " none".length()) {
+            return false;
+        }
+        place = to;
+        return true;
     }
 
-    /** Parses {@code word} as a number. */
-    long numberIn(String word) {
+    @Override
+    Object value() {
+        if (isQuotedNext()) {
+            return text();
+        }
+        String word = word();
+        if (word.equals("true") || word.equals("false")) {
+            return word.equals("true");
+        }
         try {
-            return Long.parseLong(word);
+            return Double.valueOf(word);
         } catch (NumberFormatException e) {
-            throw noNumber(word);
+            throw damaged("'" + word + "' is not a value");
         }
     }
 
-    /** Reads a count that may be very large. */
-    long total() {
-        long total = number();
-        if (total < 0) {
-            throw damaged("no number below 0 was expected");
-        }
-        return total;
-    }
-
-    /** Reads a count. */
-    int count() {
-        return counted(number());
-    }
-
-    /** Parses {@code word} as a count. */
-    int countIn(String word) {
-        return counted(numberIn(word));
-    }
-
-    private int counted(long count) {
-        if (count < 0 || count > Integer.MAX_VALUE) {
-            throw damaged("a count was expected, not " + count);
-        }
-        return (int) count;
-    }
-
-    /** Reads a text in quotes. */
+    @Override
     String text() {
         if (!isQuotedNext()) {
             throw damaged("a quoted string was expected");
@@ -210,16 +197,6 @@ final class Lines {
         }
         place = at + 1;
         return plain.toString();
-    }
-
-    /** Reads several texts, their count first. */
-    List<String> texts() {
-        int count = count();
-        List<String> texts = new ArrayList<>();
-        while (texts.size() < count) {
-            texts.add(text());
-        }
-        return texts;
     }
 
     private char escaped(int at) {

@@ -7,14 +7,14 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
-/** Looks up the model elements named by the next words of a line. */
+/** Looks up the model elements named by the next items. */
 final class Names {
     private final ModelPair models;
-    private final Lines lines;
+    private final Items items;
 
-    Names(ModelPair models, Lines lines) {
+    Names(ModelPair models, Items items) {
         this.models = models;
-        this.lines = lines;
+        this.items = items;
     }
 
     State originalState() {
@@ -26,7 +26,7 @@ final class Names {
     }
 
     private State state(StateMachine model) {
-        String name = lines.text();
+        String name = items.text();
         for (State state : model.states()) {
             if (state.name().equals(name)) {
                 return state;
@@ -36,7 +36,7 @@ final class Names {
     }
 
     private SnapshotException gone(StateMachine model, String what) {
-        return lines.wrong("the model '" + model.name() + "' " + what
+        return items.wrong("the model '" + model.name() + "' " + what
                 + "; use the models with which it was written, or start without it");
     }
 
@@ -60,11 +60,11 @@ final class Names {
     }
 
     Event event() {
-        String name = lines.text();
+        String name = items.text();
         try {
-            return new Event(name, lines.texts());
+            return new Event(name, items.texts());
         } catch (ModelException e) {
-            throw lines.damaged(String.valueOf(e.getMessage()));
+            throw items.damaged(String.valueOf(e.getMessage()));
         }
     }
 }

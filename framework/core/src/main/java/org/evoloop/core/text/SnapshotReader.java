@@ -1,10 +1,8 @@
 package org.evoloop.core.text;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.function.Supplier;
 import org.evoloop.core.Doubt;
@@ -24,25 +22,24 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
-/** Reads the text that {@link SnapshotWriter} writes, line by line in the same order. */
+/** Reads the items that {@link SnapshotWriter} writes, in the same order. */
 final class SnapshotReader {
-    private final Lines lines;
+    private final Items items;
     private final Names names;
     private final OccurrenceReader occurrences;
 
-    SnapshotReader(ModelPair models, Lines lines) {
-        this.lines = lines;
-        this.names = new Names(models, lines);
-        this.occurrences = new OccurrenceReader(lines, names);
+    SnapshotReader(ModelPair models, Items items) {
+        this.items = items;
+        this.names = new Names(models, items);
+        this.occurrences = new OccurrenceReader(items, names);
     }
 
     Snapshot read() {
-        version();
         boolean open = truth("open");
         Configuration at = at("at");
-        lines.next("sent");
-        long steps = lines.total();
-        long lastStepNanos = ended(lines.number());
+        items.next("sent");
+        long steps = items.total();
+        long lastStepNanos = ended(items.number());
         Snapshot.OpenVisit visit = visit();
         boolean losing = truth("losing");
         boolean owed = truth("owed");
@@ -50,39 +47,30 @@ final class SnapshotReader {
         Doubt doubt = doubt();
         Work work = work();
         Tally tally = tally();
-        lines.next("now");
-        long nowNanos = ended(lines.number());
-        lines.next("end");
-        lines.endsAll();
+        items.next("now");
+        long nowNanos = ended(items.number());
+        items.next("end");
+        items.endsAll();
         return new Snapshot(open, at, doubt, steps, lastStepNanos, visit, waiting, losing, owed, work, tally, nowNanos);
-    }
-
-    private void version() {
-        if (!lines.next().equals(SnapshotText.TITLE)) {
-            throw lines.wrong("this is not a snapshot of Evoloop; its first line is '" + SnapshotText.TITLE + " "
-                    + SnapshotText.VERSION + "'");
-        }
-        long version = ended(lines.number());
-        if (version != SnapshotText.VERSION) {
-            throw lines.wrong("version " + version + " cannot be read, only version " + SnapshotText.VERSION
-                    + "; use the version of Evoloop that wrote it, or start without it");
-        }
     }
 
     /** Returns {@code value} after checking that its line has ended. */
     private <T> T ended(T value) {
-        lines.ends();
+        items.ends();
         return value;
     }
 
     private boolean truth(String name) {
-        lines.next(name);
-        return ended(lines.choice("true", "false"));
+        items.next(name);
+        return ended(items.choice("true", "false"));
     }
 
     private <T> List<T> many(String name, Supplier<T> one) {
-        lines.next(name);
-        int count = ended(lines.count());
+        items.next(name);
+        int count = ended(items.count());
+        if (count == 0) {
+            return List.of();
+        }
         List<T> all = new ArrayList<>();
         while (all.size() < count) {
             all.add(one.get());
@@ -91,91 +79,75 @@ final class SnapshotReader {
     }
 
     private Configuration at(String name) {
-        lines.next(name);
+        items.next(name);
         return ended(new Configuration(names.originalState(), names.evolvedState()));
     }
 
     private Snapshot.OpenVisit visit() {
-        lines.next("visit");
-        long number = lines.total();
-        boolean over = ended(lines.choice("over", "on"));
+        items.next("visit");
+        long number = items.total();
+        boolean over = ended(items.choice("over", "on"));
         Transition by = transition("by");
         Map<Event, Long> deadlines = new LinkedHashMap<>();
         many("deadlines", () -> {
-            lines.next("deadline");
+            items.next("deadline");
             Event event = names.event();
-            deadlines.put(event, ended(lines.number()));
+            deadlines.put(event, ended(items.number()));
             return event;
         });
         return new Snapshot.OpenVisit(number, over, by, deadlines);
     }
 
     private @Nullable Transition transition(String name) {
-        lines.next(name);
-        Transition transition = isNone() ? null : names.evolvedTransition();
-        lines.ends();
+        items.next(name);
+        Transition transition = items.isNone() ? null : names.evolvedTransition();
+        items.ends();
         return transition;
     }
 
-    /** Whether the line says {@code none} instead of a name. */
-    private boolean isNone() {
-        if (lines.isQuotedNext()) {
-            return false;
-        }
-        String word = lines.word();
-        if (!word.equals("none")) {
-            throw lines.damaged("'none' was expected, not '" + word + "'");
-        }
-        return true;
-    }
-
     private @Nullable Step step(String name) {
-        lines.next(name);
-        String by = lines.word();
-        if (by.equals("none")) {
-            lines.ends();
+        items.next(name);
+        if (items.isNone()) {
+            items.ends();
             return null;
         }
-        if (!by.equals("device") && !by.equals("sent")) {
-            throw lines.damaged("'device', 'sent' or 'none' was expected, not '" + by + "'");
-        }
-        boolean conditional = lines.choice("conditional", "always");
+        boolean byDevice = items.choice("device", "sent");
+        boolean conditional = items.choice("conditional", "always");
         Transition taken = ended(names.originalTransition());
-        return new Step(taken, taken.event().trigger(), by.equals("device"), conditional);
+        return new Step(taken, taken.event().trigger(), byDevice, conditional);
     }
 
     private Step someStep() {
         Step step = step("step");
         if (step == null) {
-            throw lines.damaged("a step is missing");
+            throw items.damaged("a step is missing");
         }
         return step;
     }
 
     private Pending pending() {
-        lines.next("pending");
-        long number = lines.total();
-        long stepsBefore = lines.total();
-        int attempts = ended(lines.count());
-        lines.next("from");
-        State from = isNone() ? null : names.originalState();
-        lines.ends();
+        items.next("pending");
+        long number = items.total();
+        long stepsBefore = items.total();
+        int attempts = ended(items.count());
+        items.next("from");
+        State from = items.isNone() ? null : names.originalState();
+        items.ends();
         Step own = step("own");
         BrokenPlan broken = broken();
         return new Pending(number, occurrences.read(), from, own, stepsBefore, attempts, broken);
     }
 
     private @Nullable BrokenPlan broken() {
-        lines.next("broken");
-        String first = lines.word();
-        if (first.equals("none")) {
-            lines.ends();
+        items.next("broken");
+        if (items.isNone()) {
+            items.ends();
             return null;
         }
-        OnFailure then = constant(first, OnFailure.values());
+        OnFailure then = Constants.ON_FAILURE.read(items);
         State begun = names.originalState();
-        String reason = lines.text();
-        int count = ended(lines.count());
+        String reason = items.text();
+        int count = ended(items.count());
         List<Step> failed = new ArrayList<>();
         while (failed.size() < count) {
             failed.add(someStep());
@@ -188,75 +160,65 @@ final class SnapshotReader {
     }
 
     private @Nullable Doubt doubt() {
-        lines.next("doubt");
-        String first = lines.word();
-        if (first.equals("none")) {
-            lines.ends();
+        items.next("doubt");
+        if (items.isNone()) {
+            items.ends();
             return null;
         }
-        long number = lines.numberIn(first);
-        long stepsBefore = lines.number();
-        boolean settled = lines.choice("settled", "open");
-        String why = ended(lines.text());
+        long number = items.number();
+        long stepsBefore = items.number();
+        boolean settled = items.choice("settled", "open");
+        String why = ended(items.text());
         return new Doubt(why, number, someStep(), stepsBefore, meanwhile(), settled);
     }
 
     private @Nullable Work work() {
-        lines.next("work");
-        String first = lines.word();
-        if (first.equals("none")) {
-            lines.ends();
+        items.next("work");
+        if (items.isNone()) {
+            items.ends();
             return null;
         }
-        int taken = lines.countIn(first);
-        int effectsRun = lines.count();
-        Work.Stage stage = constant(lines.word(), Work.Stage.values());
-        String failedEffects = ended(lines.text());
+        int taken = items.count();
+        int effectsRun = items.count();
+        Work.Stage stage = Constants.STAGES.read(items);
+        String failedEffects = ended(items.text());
         return new Work(pending(), decision(), taken, effectsRun, failedEffects, stage, meanwhile());
     }
 
-    private <E extends Enum<E>> E constant(String word, E[] all) {
-        for (E each : all) {
-            if (each.name().toLowerCase(Locale.ROOT).equals(word)) {
-                return each;
-            }
-        }
-        throw lines.damaged("'" + word + "' is none of " + Arrays.toString(all).toLowerCase(Locale.ROOT));
-    }
-
     private @Nullable Decision decision() {
-        lines.next("decision");
-        String word = ended(lines.word());
-        if (word.equals("none")) {
+        items.next("decision");
+        if (items.isNone()) {
+            items.ends();
             return null;
         }
+        String word = ended(items.word());
         Configuration before = at("before");
         Configuration after = at("after");
         Transition transition = transition("transition");
         List<Step> steps = many("steps", this::someStep);
-        lines.next("effects");
-        List<String> effects = ended(lines.texts());
-        lines.next("reason");
-        String reason = ended(lines.text());
+        items.next("effects");
+        List<String> effects = ended(items.texts());
+        items.next("reason");
+        String reason = ended(items.text());
         for (DecisionKind kind : DecisionKind.values()) {
             if (kind.word().equals(word) && (transition != null || !kind.needsTransition())) {
                 return kind.made(before, after, steps, transition, effects, reason);
             }
         }
-        throw lines.damaged("'" + word + "' is not a decision that could be made here");
+        throw items.damaged("'" + word + "' is not a decision that could be made here");
     }
 
     private Tally tally() {
-        lines.next("tally");
+        items.next("tally");
         return ended(new Tally(
-                lines.total(),
-                lines.total(),
-                lines.total(),
-                lines.total(),
-                lines.total(),
-                lines.total(),
-                lines.total(),
-                lines.total(),
-                lines.count()));
+                items.total(),
+                items.total(),
+                items.total(),
+                items.total(),
+                items.total(),
+                items.total(),
+                items.total(),
+                items.total(),
+                items.count()));
     }
 }

@@ -24,7 +24,10 @@ public final class SnapshotText {
 
     /** The text of {@code snapshot}, in lines that each end in a line feed. */
     public static String write(Snapshot snapshot) {
-        return new SnapshotWriter().write(snapshot);
+        LineWriter writer = new LineWriter();
+        writer.begin(TITLE).number(VERSION).end();
+        new SnapshotWriter(writer).write(snapshot);
+        return writer.written();
     }
 
     /**
@@ -35,6 +38,20 @@ public final class SnapshotText {
      *     not have
      */
     public static Snapshot read(Rules rules, String text) {
-        return new SnapshotReader(rules.table().models(), new Lines(text)).read();
+        Lines lines = new Lines(text);
+        requireVersion(lines);
+        return new SnapshotReader(rules.table().models(), lines).read();
+    }
+
+    private static void requireVersion(Lines lines) {
+        if (!lines.next().equals(TITLE)) {
+            throw lines.wrong("this is not a snapshot of Evoloop; its first line is '" + TITLE + " " + VERSION + "'");
+        }
+        long version = lines.number();
+        lines.ends();
+        if (version != VERSION) {
+            throw lines.wrong("version " + version + " cannot be read, only version " + VERSION
+                    + "; use the version of Evoloop that wrote it, or start without it");
+        }
     }
 }

@@ -1,9 +1,8 @@
 package org.evoloop.core.text;
 
-import java.util.Collection;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import org.evoloop.core.Doubt;
 import org.evoloop.core.Pending;
 import org.evoloop.core.Snapshot;
@@ -18,128 +17,90 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
-/** Writes the text that {@link SnapshotReader} reads, line by line in the same order. */
+/** Writes the items that {@link SnapshotReader} reads, in the same order. */
 final class SnapshotWriter {
-    /** Large enough for most snapshots. */
-    private static final int CAPACITY = 512;
+    private final ItemWriter items;
 
-    private final StringBuilder text = new StringBuilder(CAPACITY);
+    SnapshotWriter(ItemWriter items) {
+        this.items = items;
+    }
 
-    String write(Snapshot snapshot) {
-        begin(SnapshotText.TITLE).word(SnapshotText.VERSION).end();
-        begin("open").word(snapshot.open()).end();
+    void write(Snapshot snapshot) {
+        items.begin("open").truth(snapshot.open()).end();
         at("at", snapshot.at());
-        begin("sent").word(snapshot.steps()).word(snapshot.lastStepNanos()).end();
+        items.begin("sent")
+                .number(snapshot.steps())
+                .number(snapshot.lastStepNanos())
+                .end();
         visit(snapshot.visit());
-        begin("losing").word(snapshot.losing()).end();
-        begin("owed").word(snapshot.followOwed()).end();
-        begin("waiting").word(snapshot.waiting().size()).end();
+        items.begin("losing").truth(snapshot.losing()).end();
+        items.begin("owed").truth(snapshot.followOwed()).end();
+        items.begin("waiting").number(snapshot.waiting().size()).end();
         snapshot.waiting().forEach(this::pending);
         doubt(snapshot.doubt());
         work(snapshot.work());
         tally(snapshot.tally());
-        begin("now").word(snapshot.nowNanos()).end();
-        begin("end").end();
-        return text.toString();
-    }
-
-    private SnapshotWriter begin(String first) {
-        text.append(first);
-        return this;
-    }
-
-    private SnapshotWriter word(long number) {
-        text.append(' ').append(number);
-        return this;
-    }
-
-    private SnapshotWriter word(boolean truth) {
-        text.append(' ').append(truth);
-        return this;
-    }
-
-    private SnapshotWriter word(String word) {
-        text.append(' ').append(word);
-        return this;
-    }
-
-    private SnapshotWriter word(Enum<?> constant) {
-        return word(constant.name().toLowerCase(Locale.ROOT));
-    }
-
-    private SnapshotWriter quoted(String words) {
-        text.append(' ');
-        Quoted.append(text, words);
-        return this;
-    }
-
-    private void end() {
-        text.append('\n');
-    }
-
-    private void none(String name) {
-        begin(name).word("none").end();
+        items.begin("now").number(snapshot.nowNanos()).end();
+        items.begin("end").end();
     }
 
     private void at(String name, Configuration at) {
-        begin(name).quoted(at.original().name()).quoted(at.evolved().name()).end();
+        items.begin(name).text(at.original().name()).text(at.evolved().name()).end();
     }
 
     private void visit(Snapshot.OpenVisit visit) {
-        begin("visit").word(visit.number()).word(visit.over() ? "over" : "on").end();
+        items.begin("visit")
+                .number(visit.number())
+                .choice(visit.over(), "over", "on")
+                .end();
         transition("by", visit.by());
-        begin("deadlines").word(visit.deadlines().size()).end();
+        items.begin("deadlines").number(visit.deadlines().size()).end();
         for (Map.Entry<Event, Long> deadline : visit.deadlines().entrySet()) {
-            begin("deadline").event(deadline.getKey()).word(deadline.getValue()).end();
+            items.begin("deadline");
+            event(deadline.getKey()).number(deadline.getValue()).end();
         }
     }
 
-    private SnapshotWriter event(Event event) {
-        return quoted(event.name()).texts(event.guards());
-    }
-
-    private SnapshotWriter texts(Collection<String> texts) {
-        word(texts.size());
-        texts.forEach(this::quoted);
-        return this;
+    private ItemWriter event(Event event) {
+        return items.text(event.name()).texts(event.guards());
     }
 
     private void transition(String name, @Nullable Transition transition) {
         if (transition == null) {
-            none(name);
+            items.none(name);
         } else {
-            begin(name).arc(transition).end();
+            items.beginSome(name);
+            arc(transition).end();
         }
     }
 
-    private SnapshotWriter arc(Transition transition) {
-        return quoted(transition.source().name())
-                .event(transition.event())
-                .quoted(transition.target().name());
+    private ItemWriter arc(Transition transition) {
+        items.text(transition.source().name());
+        event(transition.event());
+        return items.text(transition.target().name());
     }
 
     private void step(String name, @Nullable Step step) {
         if (step == null) {
-            none(name);
+            items.none(name);
         } else {
-            begin(name)
-                    .word(step.byDevice() ? "device" : "sent")
-                    .word(step.conditional() ? "conditional" : "always")
-                    .arc(step.transition())
-                    .end();
+            items.beginSome(name)
+                    .choice(step.byDevice(), "device", "sent")
+                    .choice(step.conditional(), "conditional", "always");
+            arc(step.transition()).end();
         }
     }
 
     private void pending(Pending pending) {
-        begin("pending")
-                .word(pending.number())
-                .word(pending.stepsBefore())
-                .word(pending.attempts())
+        items.begin("pending")
+                .number(pending.number())
+                .number(pending.stepsBefore())
+                .number(pending.attempts())
                 .end();
         if (pending.from() == null) {
-            none("from");
+            items.none("from");
         } else {
-            begin("from").quoted(pending.from().name()).end();
+            items.beginSome("from").text(pending.from().name()).end();
         }
         step("own", pending.own());
         broken(pending.broken());
@@ -148,74 +109,71 @@ final class SnapshotWriter {
 
     private void broken(@Nullable BrokenPlan broken) {
         if (broken == null) {
-            none("broken");
+            items.none("broken");
             return;
         }
-        begin("broken")
-                .word(broken.then())
-                .quoted(broken.begun().name())
-                .quoted(broken.reason())
-                .word(broken.failed().size())
+        items.beginSome("broken")
+                .word(Constants.ON_FAILURE.word(broken.then()))
+                .text(broken.begun().name())
+                .text(broken.reason())
+                .number(broken.failed().size())
                 .end();
         broken.failed().forEach(step -> step("step", step));
     }
 
     private void occurrence(Occurrence occurrence) {
         if (occurrence instanceof Occurrence.Heard heard) {
-            begin("heard")
-                    .word(heard.observedNanos())
-                    .word(heard.visit())
-                    .word(heard.source())
-                    .word(heard.deviceActed() ? "acted" : "told")
-                    .event(heard.event())
-                    .texts(heard.holding().stream().sorted().toList())
-                    .values(occurrence);
+            kind("heard", occurrence)
+                    .number(heard.visit())
+                    .word(Constants.SOURCES.word(heard.source()))
+                    .choice(heard.deviceActed(), "acted", "told");
+            event(heard.event()).texts(sorted(heard.holding()));
+            values(occurrence);
         } else if (occurrence instanceof Occurrence.Asked asked) {
-            begin("asked")
-                    .word(asked.observedNanos())
-                    .word(asked.visit())
-                    .event(asked.event())
-                    .values(occurrence);
+            kind("asked", occurrence).number(asked.visit());
+            event(asked.event());
+            values(occurrence);
         } else if (occurrence instanceof Occurrence.Found found) {
-            begin("found").word(found.observedNanos()).quoted(found.state().name());
+            kind("found", occurrence).text(found.state().name());
         } else if (occurrence instanceof Occurrence.InDoubt inDoubt) {
-            begin("in-doubt").word(inDoubt.observedNanos()).quoted(inDoubt.why());
+            kind("in-doubt", occurrence).text(inDoubt.why());
         } else if (occurrence instanceof Occurrence.Violated violated) {
-            begin("violated").word(violated.observedNanos()).quoted(violated.property());
+            kind("violated", occurrence).text(violated.property());
         } else if (occurrence instanceof Occurrence.Evolved evolved) {
-            begin("evolved").word(evolved.observedNanos()).quoted(evolved.model());
+            kind("evolved", occurrence).text(evolved.model());
         }
-        end();
+        items.end();
+    }
+
+    private ItemWriter kind(String word, Occurrence occurrence) {
+        return items.beginKind(word).number(occurrence.observedNanos());
+    }
+
+    private static List<String> sorted(Set<String> texts) {
+        return texts.isEmpty() ? List.of() : texts.stream().sorted().toList();
     }
 
     private void values(Occurrence occurrence) {
         Map<String, Object> values = occurrence.values().byName();
-        word(values.size());
-        values.forEach((name, value) -> {
-            quoted(name);
-            if (value instanceof String words) {
-                quoted(words);
-            } else {
-                word(value.toString());
-            }
-        });
+        items.number(values.size());
+        values.forEach((name, value) -> items.text(name).value(value));
     }
 
     private void occurrences(List<Occurrence> meanwhile) {
-        begin("meanwhile").word(meanwhile.size()).end();
+        items.begin("meanwhile").number(meanwhile.size()).end();
         meanwhile.forEach(this::occurrence);
     }
 
     private void doubt(@Nullable Doubt doubt) {
         if (doubt == null) {
-            none("doubt");
+            items.none("doubt");
             return;
         }
-        begin("doubt")
-                .word(doubt.number())
-                .word(doubt.stepsBefore())
-                .word(doubt.settled() ? "settled" : "open")
-                .quoted(doubt.why())
+        items.beginSome("doubt")
+                .number(doubt.number())
+                .number(doubt.stepsBefore())
+                .choice(doubt.settled(), "settled", "open")
+                .text(doubt.why())
                 .end();
         step("step", doubt.step());
         occurrences(doubt.meanwhile());
@@ -223,14 +181,14 @@ final class SnapshotWriter {
 
     private void work(@Nullable Work work) {
         if (work == null) {
-            none("work");
+            items.none("work");
             return;
         }
-        begin("work")
-                .word(work.taken())
-                .word(work.effectsRun())
-                .word(work.stage())
-                .quoted(work.failedEffects())
+        items.beginSome("work")
+                .number(work.taken())
+                .number(work.effectsRun())
+                .word(Constants.STAGES.word(work.stage()))
+                .text(work.failedEffects())
                 .end();
         pending(work.pending());
         decision(work.decision());
@@ -239,30 +197,30 @@ final class SnapshotWriter {
 
     private void decision(@Nullable Decision decision) {
         if (decision == null) {
-            none("decision");
+            items.none("decision");
             return;
         }
-        begin("decision").word(DecisionKind.of(decision).word()).end();
+        items.beginSome("decision").word(DecisionKind.of(decision).word()).end();
         at("before", decision.before());
         at("after", decision.after());
         transition("transition", decision.transition());
-        begin("steps").word(decision.steps().size()).end();
+        items.begin("steps").number(decision.steps().size()).end();
         decision.steps().forEach(step -> step("step", step));
-        begin("effects").texts(decision.effects()).end();
-        begin("reason").quoted(DecisionKind.reasonOf(decision)).end();
+        items.begin("effects").texts(decision.effects()).end();
+        items.begin("reason").text(DecisionKind.reasonOf(decision)).end();
     }
 
     private void tally(Tally tally) {
-        begin("tally")
-                .word(tally.observed())
-                .word(tally.handled())
-                .word(tally.ignored())
-                .word(tally.stale())
-                .word(tally.failed())
-                .word(tally.dropped())
-                .word(tally.refused())
-                .word(tally.queued())
-                .word(tally.highest())
+        items.begin("tally")
+                .number(tally.observed())
+                .number(tally.handled())
+                .number(tally.ignored())
+                .number(tally.stale())
+                .number(tally.failed())
+                .number(tally.dropped())
+                .number(tally.refused())
+                .number(tally.queued())
+                .number(tally.highest())
                 .end();
     }
 }

@@ -4,8 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.Set;
 import org.evoloop.core.Output;
+import org.evoloop.core.text.SnapshotException;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Values;
@@ -15,8 +17,8 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.junit.jupiter.api.Test;
 
-/** A device's state is the same after writing and reading it, whatever is in progress. */
-class DeviceStateTextTest {
+/** What is kept of a device goes through bytes unchanged, whatever it is in the middle of. */
+class DeviceStateBytesTest {
     private static final long PATIENCE = 1_000_000_000L;
 
     private final Model lamp = ModelRecord.read("lamp-1", Models.LAMP.bytes());
@@ -58,8 +60,33 @@ class DeviceStateTextTest {
 
     private void assertUnchanged() {
         byte[] text = DeviceStateText.write(device.state());
-        assertThat(DeviceStateText.model(text)).isEqualTo("lamp-1");
-        assertThat(DeviceStateText.read(lamp.rules(), text)).isEqualTo(device.state());
+        byte[] bytes = DeviceStateBytes.write(device.state());
+        assertThat(bytes.length).isLessThan(text.length / 2);
+        // Earlier fleets have kept text.
+        for (byte[] each : new byte[][] {text, bytes}) {
+            assertThat(DeviceStateBytes.model(each)).isEqualTo("lamp-1");
+            assertThat(DeviceStateBytes.read(lamp.rules(), each)).isEqualTo(device.state());
+        }
+    }
+
+    @Test
+    void whateverIsMissingIsNoticed() {
+        press(10);
+        byte[] bytes = DeviceStateBytes.write(device.state());
+        for (int length = 0; length < bytes.length; length++) {
+            byte[] part = Arrays.copyOf(bytes, length);
+            assertThatThrownBy(() -> DeviceStateBytes.read(lamp.rules(), part))
+                    .isInstanceOfAny(IllegalArgumentException.class, SnapshotException.class);
+        }
+    }
+
+    @Test
+    void anotherVersionIsRefused() {
+        byte[] bytes = DeviceStateBytes.write(device.state());
+        bytes[0] = 2;
+        assertThatThrownBy(() -> DeviceStateBytes.model(bytes))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("version 2 cannot be read, only version 1; use the version of Evoloop that wrote it");
     }
 
     @Test

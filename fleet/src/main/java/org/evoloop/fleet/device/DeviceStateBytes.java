@@ -1,0 +1,169 @@
+package org.evoloop.fleet.device;
+
+import java.nio.BufferUnderflowException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import org.evoloop.core.Rules;
+import org.evoloop.core.text.SnapshotBytes;
+import org.evoloop.core.text.SnapshotException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The bytes of {@link DeviceState}, as a fleet keeps them: the version of this format, a few numbers, then the
+ * snapshot's bytes. The text that earlier fleets kept ({@link DeviceStateText}) is read, too.
+ *
+ * <p>Threading: thread-safe.
+ *
+ * @since 0.1
+ */
+public final class DeviceStateBytes {
+    /** No text begins with it. */
+    private static final byte VERSION = 1;
+
+    private static final byte FIRST_OF_TEXT = 'e';
+    private static final int BITS = 7;
+    private static final int MORE = 1 << BITS;
+
+    /** The most bytes of a number, of two orders with four each, and of all else but the version of the models. */
+    private static final int NUMBER = 10;
+
+    private static final int MOST = 1 + 11 * NUMBER;
+    private static final Order.Kind[] KINDS = {Order.Kind.SEND, Order.Kind.RUN, Order.Kind.LOCATE};
+
+    private DeviceStateBytes() {}
+
+    /** The bytes of {@code kept}. */
+    public static byte[] write(DeviceState kept) {
+        byte[] model = kept.model().getBytes(StandardCharsets.UTF_8);
+        byte[] snapshot = SnapshotBytes.write(kept.snapshot());
+        ByteBuffer bytes = ByteBuffer.allocate(MOST + model.length + snapshot.length);
+        bytes.put(VERSION);
+        put(bytes, model.length);
+        bytes.put(model);
+        put(bytes, kept.sequence());
+        put(bytes, kept.heard());
+        put(bytes, kept.open());
+        put(bytes, kept.lost());
+        bytes.put(snapshot);
+        byte[] all = new byte[bytes.flip().remaining()];
+        bytes.get(all);
+        return all;
+    }
+
+    private static void put(ByteBuffer bytes, Order.@Nullable Open order) {
+        put(bytes, order == null ? 0 : order.sequence());
+        if (order != null) {
+            put(bytes, order.occurrence());
+            put(bytes, code(order.kind()));
+            put(bytes, order.deadlineNanos());
+        }
+    }
+
+    private static int code(Order.Kind kind) {
+        for (int code = 0; code < KINDS.length; code++) {
+            if (KINDS[code] == kind) {
+                return code;
+            }
+        }
+        throw new IllegalStateException(kind + " has no number");
+    }
+
+    private static void put(ByteBuffer bytes, long number) {
+        long rest = number;
+        while ((rest & -MORE) != 0) {
+            bytes.put((byte) ((rest & (MORE - 1)) | MORE));
+            rest >>>= BITS;
+        }
+        bytes.put((byte) rest);
+    }
+
+    /**
+     * The version of the models in {@code bytes}.
+     *
+     * @throws IllegalArgumentException if they are not such bytes, or those of another version
+     */
+    public static String model(byte[] bytes) {
+        return isText(bytes) ? DeviceStateText.model(bytes) : model(begun(bytes));
+    }
+
+    private static boolean isText(byte[] bytes) {
+        return bytes.length > 0 && bytes[0] == FIRST_OF_TEXT;
+    }
+
+    private static ByteBuffer begun(byte[] bytes) {
+        if (bytes.length == 0 || bytes[0] != VERSION) {
+            String found = bytes.length == 0 ? "nothing" : "version " + bytes[0];
+            throw new IllegalArgumentException(
+                    found + " cannot be read, only version " + VERSION + "; use the version of Evoloop that wrote it");
+        }
+        return ByteBuffer.wrap(bytes, 1, bytes.length - 1);
+    }
+
+    private static String model(ByteBuffer bytes) {
+        try {
+            long length = number(bytes);
+            if (length < 0 || length > bytes.remaining()) {
+                throw damaged();
+            }
+            byte[] model = new byte[(int) length];
+            bytes.get(model);
+            return new String(model, StandardCharsets.UTF_8);
+        } catch (BufferUnderflowException e) {
+            throw damaged();
+        }
+    }
+
+    private static IllegalArgumentException damaged() {
+        return new IllegalArgumentException("the bytes are damaged");
+    }
+
+    /**
+     * Reads {@code bytes}.
+     *
+     * @param rules the rules of the version given by {@link #model}
+     * @throws IllegalArgumentException if they are no such bytes
+     * @throws SnapshotException if they name something that the models lack
+     */
+    public static DeviceState read(Rules rules, byte[] bytes) {
+        if (isText(bytes)) {
+            return DeviceStateText.read(rules, bytes);
+        }
+        ByteBuffer head = begun(bytes);
+        String model = model(head);
+        try {
+            long sequence = number(head);
+            long heard = number(head);
+            Order.Open open = order(head);
+            Order.Open lost = order(head);
+            return new DeviceState(
+                    model, sequence, heard, open, lost, SnapshotBytes.read(rules, bytes, head.position()));
+        } catch (BufferUnderflowException e) {
+            throw damaged();
+        }
+    }
+
+    private static Order.@Nullable Open order(ByteBuffer bytes) {
+        long sequence = number(bytes);
+        if (sequence == 0) {
+            return null;
+        }
+        long occurrence = number(bytes);
+        long code = number(bytes);
+        if (code < 0 || code >= KINDS.length) {
+            throw damaged();
+        }
+        return new Order.Open(sequence, occurrence, KINDS[(int) code], number(bytes));
+    }
+
+    private static long number(ByteBuffer bytes) {
+        long number = 0;
+        for (int shift = 0; shift < Long.SIZE; shift += BITS) {
+            int octet = bytes.get() & 0xff;
+            number |= (long) (octet & (MORE - 1)) << shift;
+            if (octet < MORE) {
+                return number;
+            }
+        }
+        throw damaged();
+    }
+}

@@ -1,0 +1,132 @@
+package org.evoloop.core.text;
+
+import java.util.Arrays;
+
+/** Writes items as bytes: numbers in as few as they need, texts after their length, no names of groups. */
+final class ByteWriter extends ItemWriter {
+    static final int TEXT = 0;
+    static final int NUMBER = 1;
+    static final int FALSE = 2;
+    static final int TRUE = 3;
+
+    /** Of each byte of a number, the bits that count; the other tells whether more follow. */
+    static final int BITS = 7;
+
+    static final int MORE = 1 << BITS;
+
+    /** Part of a text's length if it has two bytes for each character. */
+    static final int WIDE = 1;
+
+    private static final char MOST_NARROW = 0xff;
+
+    /** Large enough for most snapshots. */
+    private static final int CAPACITY = 192;
+
+    private byte[] bytes = new byte[CAPACITY];
+    private int length;
+
+    byte[] written() {
+        return Arrays.copyOf(bytes, length);
+    }
+
+    private ItemWriter octet(int value) {
+        room(1);
+        bytes[length++] = (byte) value;
+        return this;
+    }
+
+    private void room(int more) {
+        if (length + more > bytes.length) {
+            bytes = Arrays.copyOf(bytes, Math.max(2 * bytes.length, length + more));
+        }
+    }
+
+    @Override
+    ItemWriter begin(String name) {
+        return this;
+    }
+
+    @Override
+    ItemWriter beginKind(String name) {
+        return word(name);
+    }
+
+    @Override
+    ItemWriter beginSome(String name) {
+        return octet(1);
+    }
+
+    @Override
+    void none(String name) {
+        octet(0);
+    }
+
+    @Override
+    ItemWriter word(String word) {
+        int code = WordCodes.of(word);
+        octet(code);
+        return code == WordCodes.OTHER ? text(word) : this;
+    }
+
+    @Override
+    ItemWriter choice(boolean which, String yes, String no) {
+        return octet(which ? 1 : 0);
+    }
+
+    @Override
+    ItemWriter number(long number) {
+        // Small numbers below zero become small ones above it.
+        return unsigned((number << 1) ^ (number >> (Long.SIZE - 1)));
+    }
+
+    private ItemWriter unsigned(long number) {
+        long rest = number;
+        while ((rest & -MORE) != 0) {
+            octet(((int) rest & (MORE - 1)) | MORE);
+            rest >>>= BITS;
+        }
+        return octet((int) rest);
+    }
+
+    /** A byte for each character where that is enough, else two, so that any characters stay what they are. */
+    @Override
+    ItemWriter text(String words) {
+        int count = words.length();
+        boolean narrow = isNarrow(words);
+        unsigned(((long) count << 1) | (narrow ? 0 : WIDE));
+        if (narrow) {
+            room(count);
+            for (int at = 0; at < count; at++) {
+                bytes[length++] = (byte) words.charAt(at);
+            }
+        } else {
+            for (int at = 0; at < count; at++) {
+                octet(words.charAt(at) >>> Byte.SIZE);
+                octet(words.charAt(at));
+            }
+        }
+        return this;
+    }
+
+    private static boolean isNarrow(String words) {
+        for (int at = 0; at < words.length(); at++) {
+            if (words.charAt(at) > MOST_NARROW) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    @Override
+    ItemWriter value(Object value) {
+        if (value instanceof String words) {
+            return octet(TEXT).text(words);
+        } else if (value instanceof Boolean truth) {
+            return octet(truth ? TRUE : FALSE);
+        }
+        return octet(NUMBER).text(value.toString());
+    }
+
+    @Override
+    void end() {}
+}

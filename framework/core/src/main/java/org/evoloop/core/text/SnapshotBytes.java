@@ -1,0 +1,46 @@
+package org.evoloop.core.text;
+
+import org.evoloop.core.Rules;
+import org.evoloop.core.Snapshot;
+
+/**
+ * Snapshots as bytes, for programs that keep very many: a third as long as {@link SnapshotText}, and read and written in
+ * a fraction of the time. They hold the same items in the same order, with the same names of states and transitions, and
+ * are refused for the same reasons. The same snapshot gives the same bytes.
+ *
+ * <p>Threading: thread-safe.
+ *
+ * @since 0.1
+ */
+public final class SnapshotBytes {
+    /** The version of the format. */
+    public static final int VERSION = 1;
+
+    private SnapshotBytes() {}
+
+    /** The bytes of {@code snapshot}; the first is the version. */
+    public static byte[] write(Snapshot snapshot) {
+        ByteWriter writer = new ByteWriter();
+        writer.number(VERSION);
+        new SnapshotWriter(writer).write(snapshot);
+        return writer.written();
+    }
+
+    /**
+     * Reads a snapshot.
+     *
+     * @param rules the rules, with the models to which the named states and transitions belong
+     * @param from where in {@code bytes} it begins; it ends where they end
+     * @throws SnapshotException if it is not such a snapshot, is of another version, or names something that the models
+     *     do not have
+     */
+    public static Snapshot read(Rules rules, byte[] bytes, int from) {
+        ByteItems items = new ByteItems(bytes, from);
+        long version = items.number();
+        if (version != VERSION) {
+            throw items.wrong("version " + version + " cannot be read, only version " + VERSION
+                    + "; use the version of Evoloop that wrote it, or start without it");
+        }
+        return new SnapshotReader(rules.table().models(), items).read();
+    }
+}
