@@ -25,9 +25,8 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "fleet",
         description = {
-            "Converts the events of many devices at a Kafka cluster: one instance, which shares the work with all "
-                    + "others of"
-                    + " the same name, until it gets SIGTERM. docs/fleet.md describes the topics."
+            "Converts the events of many devices on a Kafka cluster, until it gets SIGTERM. All instances with the same"
+                    + " name share the work. docs/fleet.md describes the topics."
         },
         mixinStandardHelpOptions = true,
         sortOptions = false,
@@ -69,7 +68,8 @@ final class FleetCommand implements Callable<Integer> {
     @Option(
             names = "--partitions",
             paramLabel = "N",
-            description = "The number of partitions that --create-topics creates for the devices; final (default: 8).")
+            description =
+                    "The number of partitions that --create-topics creates; it cannot be changed later (default: 8).")
     private @Nullable Integer partitions;
 
     @Option(

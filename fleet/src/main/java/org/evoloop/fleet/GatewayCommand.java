@@ -19,8 +19,7 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "gateway",
         description = {
-            "Bridges the devices of an MQTT broker to a fleet, until it gets SIGTERM. While Kafka is unreachable, "
-                    + "the devices'"
+            "Bridges the devices of an MQTT broker to a fleet, until it gets SIGTERM. While Kafka is unreachable, the devices'"
                     + " records are stored, and sent in order later."
         },
         mixinStandardHelpOptions = true,

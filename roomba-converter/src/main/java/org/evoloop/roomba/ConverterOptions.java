@@ -100,16 +100,15 @@ final class ConverterOptions {
             paramLabel = "STATE=FUNCTION",
             description =
                     "What runs in a new state: Move, SpotWait, SpotClean, Charge, QuietHours or none; can be repeated. "
-                            + "By default, the one that the state's do activity names; otherwise Move runs in "
-                            + "the one that arriveSpot leaves, SpotWait in the one that timeout leaves.")
+                            + "By default, the one that the state's do activity names; otherwise Move runs in the one "
+                            + "that arriveSpot leaves, SpotWait in the one that timeout leaves.")
     private List<String> functions = List.of();
 
     @Option(
             names = "--clean-at",
             paramLabel = "[DAYS ]TIME",
             description = "When the converter raises schedule, such as 09:00 or 'MON,FRI 09:00'; can be repeated. The "
-                    + "robot's "
-                    + "own schedule is switched off then.")
+                    + "robot's own schedule is switched off then.")
     private List<String> cleanAt = List.of();
 
     @Option(

@@ -47,18 +47,14 @@ class BadInputTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "edge --device a/b --port /dev/x --mqtt mqtt://h --journal j | error: --device is 'a/b'; MQTT takes "
-                        + "no '/', "
-                        + "'+', '#' or spaces in its name, 200 characters at most",
-                "edge --device a --port /dev/x --mqtt h --journal j | error: the broker's URL h names no broker; "
-                        + "give it as "
-                        + "mqtt://HOST, mqtt://USER@HOST:1883 or mqtts://USER@HOST",
+                "edge --device a/b --port /dev/x --mqtt mqtt://h --journal j | error: --device is 'a/b'; MQTT takes no "
+                        + "'/', '+', '#' or spaces in its name, 200 characters at most",
+                "edge --device a --port /dev/x --mqtt h --journal j | error: the broker's URL h names no broker; give "
+                        + "it as mqtt://HOST, mqtt://USER@HOST:1883 or mqtts://USER@HOST",
                 "edge --device a --port /dev/x --mqtt mqtt://h --journal /dev/null/j | error: --journal: /dev/null/j "
-                        + "cannot "
-                        + "be used: /dev/null/j: Not a directory; give a directory that this program may write",
-                "edge --device a --port /dev/x --mqtt mqtt://h --journal j --spot-wait 0 | error: --spot-wait is "
-                        + "0.0, allowed "
-                        + "is 0.1 to 3600 seconds",
+                        + "cannot be used: /dev/null/j: Not a directory; give a directory that this program may write",
+                "edge --device a --port /dev/x --mqtt mqtt://h --journal j --spot-wait 0 | error: --spot-wait is 0.0, "
+                        + "allowed is 0.1 to 3600 seconds",
                 "--simulate --port /dev/x | error: choose a robot: --port PATH or --simulate",
                 "--speed 2 --port /dev/x | error: --speed goes with --simulate; a real robot has its own pace",
                 "--simulate --speed 0 | error: --speed is 0.0, allowed is 0.01 to 1000.0 times real time",
@@ -68,11 +64,10 @@ class BadInputTest {
                         + "1000,500",
                 "--simulate --spot-wait 0 | error: --spot-wait is 0.0, allowed is 0.1 to 3600 seconds",
                 "--simulate --quiet-hours 22:00-07:00 | error: --quiet-hours says when QuietHours waits, but it runs "
-                        + "in no "
-                        + "state of the new model; leave the option out, or draw a state that is left by quietOver",
+                        + "in no state of the new model; leave the option out, or draw a state that is left by "
+                        + "quietOver",
                 "--simulate --clean-at 09:00 | error: --clean-at raises schedule, which the new model does not know; "
-                        + "leave "
-                        + "the option out, or draw a transition for it",
+                        + "leave the option out, or draw a transition for it",
                 "--simulate --camera sim --record-limit 9 | error: --record-limit goes with --record; give both or "
                         + "neither",
                 "--simulate --new models.xml | error: --original and --new go together, and not with --models; "
@@ -217,13 +212,12 @@ class BadInputTest {
                             meanwhile -> assertThat(meanwhile)
                                     .endsWith(
                                             "WARN  " + port + ": no answer yet; it is woken by its wake line and asked "
-                                                    + "again, then also at 19200 baud. If it sleeps, press CLEAN on "
-                                                    + "it"),
+                                                    + "again, then also at 19200 baud. If it sleeps, press CLEAN on it"),
                             atLast -> assertThat(atLast)
                                     .isEqualTo("error: " + port
                                             + ": no answer at 115200 nor 19200 baud; the robot is asleep or off, or "
-                                            + "its "
-                                            + "cable is not plugged in. Press CLEAN to wake it, or plug the cable in"));
+                                            + "its cable is not plugged in. Press CLEAN to wake it, or plug the cable "
+                                            + "in"));
             assertThat(result.out()).isEmpty();
             assertThat(result.status()).isEqualTo(2);
         }

@@ -91,10 +91,8 @@ class RobotModelsTest {
     void aStateThatNothingFitsIsToldWithWhatToDoAtTheCommandLine() {
         assertRefused(
                 "new state Pause has no function. Move runs in the state that arriveSpot leaves, SpotWait in the one "
-                        + "that "
-                        + "timeout leaves; draw such a transition, or a time trigger such as tm(2s), or give "
-                        + "--function "
-                        + "Pause=none if nothing has to run there",
+                        + "that timeout leaves; draw such a transition, or a time trigger such as tm(2s), or give "
+                        + "--function Pause=none if nothing has to run there",
                 arriving().transition("Hunt", "Clean", "Pause").transition("Pause", "Clean", "On"));
     }
 

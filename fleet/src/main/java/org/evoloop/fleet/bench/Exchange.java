@@ -10,19 +10,19 @@ import org.evoloop.fleet.wire.ModelRecord;
 import org.evoloop.fleet.wire.Wire;
 
 /**
- * What the fleet keeps of a lamp and writes, record by record of the {@link Traffic}: the bare topology keeps and writes
+ * What the fleet stores for a lamp and writes, record by record of the {@link Traffic}; the bare topology stores and writes
  * the same.
  *
- * @param steps the registration, then a cycle's records, which come again and again
+ * @param steps the registration, then the records of a cycle, which is repeated
  */
 record Exchange(List<Step> steps) {
     private static final long PATIENCE_NANOS = 30_000_000_000L;
 
-    /** What is kept after a record, and what is written because of it. */
-    @SuppressWarnings("ArrayRecordComponent") // nobody compares steps
-    record Step(byte[] kept, List<Letters.Letter> letters) {}
+    /** The bytes stored after a record, and the records written because of it. */
+    @SuppressWarnings("ArrayRecordComponent") // steps are not compared
+    record Step(byte[] stored, List<Letters.Letter> letters) {}
 
-    /** @param cycles how often each lamp goes through the cycle, since what is counted gets longer */
+    /** @param cycles how often each lamp goes through the cycle; its counters, and so the bytes, grow meanwhile */
     static Exchange with(ModelRecord lamp, int cycles) {
         Model model = ModelRecord.read("lamp", lamp.bytes());
         long at = Wire.nanos(System.currentTimeMillis());

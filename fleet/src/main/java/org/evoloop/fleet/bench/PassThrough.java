@@ -14,8 +14,8 @@ import org.evoloop.fleet.wire.Letters;
 import org.evoloop.fleet.wire.Topic;
 
 /**
- * Measures the cost of Kafka Streams alone: each record reads the device's bytes, writes others back, and has records
- * written. They are those of the fleet, as many and as long, but nobody has to find out what they say.
+ * Measures the cost of Kafka Streams alone: for each record, the device's bytes are read and replaced, and records are
+ * written. Bytes and records are those of the fleet, but made beforehand.
  */
 final class PassThrough implements Processor<String, byte[], String, byte[]> {
     private static final String STORE = "devices";
@@ -66,15 +66,15 @@ final class PassThrough implements Processor<String, byte[], String, byte[]> {
         store = given.getStateStore(STORE);
     }
 
-    /** The first of a device's bytes is used for the number of the step. */
+    /** The first of a device's bytes holds the number of its last step. */
     @Override
     public void process(Record<String, byte[]> record) {
         byte[] known = store.get(record.key());
         int number = known == null ? 0 : exchange.after(known[0]);
         Exchange.Step step = exchange.steps().get(number);
-        byte[] kept = step.kept().clone();
-        kept[0] = (byte) number;
-        store.put(record.key(), kept);
+        byte[] stored = step.stored().clone();
+        stored[0] = (byte) number;
+        store.put(record.key(), stored);
         for (Letters.Letter letter : step.letters()) {
             context.forward(
                     new Record<>(record.key(), letter.text(), record.timestamp()),

@@ -9,22 +9,22 @@ import org.evoloop.core.text.SnapshotException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The bytes of {@link DeviceState}, as a fleet keeps them: the version of this format, a few numbers, then the
- * snapshot's bytes. The text that earlier fleets kept ({@link DeviceStateText}) is read, too.
+ * {@link DeviceState} as a fleet stores it: the version of this format, a few numbers, then the snapshot's bytes. Stored
+ * text ({@link DeviceStateText}) can be read, too.
  *
  * <p>Threading: thread-safe.
  *
  * @since 0.1
  */
 public final class DeviceStateBytes {
-    /** No text begins with it. */
+    /** Differs from the first byte of any text. */
     private static final byte VERSION = 1;
 
     private static final byte FIRST_OF_TEXT = 'e';
     private static final int BITS = 7;
     private static final int MORE = 1 << BITS;
 
-    /** The most bytes of a number, of two orders with four each, and of all else but the version of the models. */
+    /** The greatest lengths: of a number, and of everything except the models' version and the snapshot. */
     private static final int NUMBER = 10;
 
     private static final int MOST = 1 + 11 * NUMBER;
@@ -32,18 +32,18 @@ public final class DeviceStateBytes {
 
     private DeviceStateBytes() {}
 
-    /** The bytes of {@code kept}. */
-    public static byte[] write(DeviceState kept) {
-        byte[] model = kept.model().getBytes(StandardCharsets.UTF_8);
-        byte[] snapshot = SnapshotBytes.write(kept.snapshot());
+    /** The bytes of {@code state}. */
+    public static byte[] write(DeviceState state) {
+        byte[] model = state.model().getBytes(StandardCharsets.UTF_8);
+        byte[] snapshot = SnapshotBytes.write(state.snapshot());
         ByteBuffer bytes = ByteBuffer.allocate(MOST + model.length + snapshot.length);
         bytes.put(VERSION);
         put(bytes, model.length);
         bytes.put(model);
-        put(bytes, kept.sequence());
-        put(bytes, kept.heard());
-        put(bytes, kept.open());
-        put(bytes, kept.lost());
+        put(bytes, state.sequence());
+        put(bytes, state.heard());
+        put(bytes, state.open());
+        put(bytes, state.lost());
         bytes.put(snapshot);
         byte[] all = new byte[bytes.flip().remaining()];
         bytes.get(all);
@@ -121,7 +121,7 @@ public final class DeviceStateBytes {
      * Reads {@code bytes}.
      *
      * @param rules the rules of the version given by {@link #model}
-     * @throws IllegalArgumentException if they are no such bytes
+     * @throws IllegalArgumentException if they are not such bytes
      * @throws SnapshotException if they name something that the models lack
      */
     public static DeviceState read(Rules rules, byte[] bytes) {

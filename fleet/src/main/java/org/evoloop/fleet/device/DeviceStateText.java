@@ -20,27 +20,6 @@ public final class DeviceStateText {
 
     private DeviceStateText() {}
 
-    /** The bytes of {@code state}. */
-    public static byte[] write(DeviceState state) {
-        String head = TITLE
-                + state.model()
-                + ' '
-                + state.sequence()
-                + ' '
-                + state.heard()
-                + words(state.open())
-                + words(state.lost())
-                + '\n';
-        return (head + SnapshotText.write(state.snapshot())).getBytes(StandardCharsets.UTF_8);
-    }
-
-    private static String words(Order.@Nullable Open order) {
-        return order == null
-                ? " 0 0 none 0"
-                : " " + order.sequence() + ' ' + order.occurrence() + ' '
-                        + order.kind().name().toLowerCase(Locale.ROOT) + ' ' + order.deadlineNanos();
-    }
-
     /**
      * The version of the models in {@code bytes}.
      *

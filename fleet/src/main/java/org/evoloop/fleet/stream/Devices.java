@@ -75,9 +75,9 @@ final class Devices {
         }
     }
 
-    void put(String id, DeviceState kept) {
-        store.put(id, DeviceStateBytes.write(kept));
-        recent.put(id, kept);
+    void put(String id, DeviceState state) {
+        store.put(id, DeviceStateBytes.write(state));
+        recent.put(id, state);
     }
 
     void remove(String id) {

@@ -8,8 +8,8 @@ import org.evoloop.fleet.device.Device;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which device is to be looked at next, and when. Most of what is due is called off before: that is only crossed out, and
- * taken from the queue when its time has come, or when most of the queue is crossed out.
+ * Which device has something due next, and when. Most entries are cancelled before they are due: they are only marked, and
+ * removed from the queue when their time has come, or when most of the queue is cancelled.
  */
 final class Schedule {
     private static final int FEW = 1_000;
@@ -21,7 +21,7 @@ final class Schedule {
     private static final class Due {
         private final long atNanos;
         private final String device;
-        private boolean off;
+        private boolean cancelled;
 
         Due(long atNanos, String device) {
             this.atNanos = atNanos;
@@ -35,7 +35,7 @@ final class Schedule {
         if (before != null && before.atNanos == atNanos) {
             return;
         } else if (before != null) {
-            before.off = true;
+            before.cancelled = true;
         }
         if (atNanos != Device.NEVER) {
             Due due = new Due(atNanos, device);
@@ -45,7 +45,7 @@ final class Schedule {
             byDevice.remove(device);
         }
         if (inOrder.size() > FEW + 2 * byDevice.size()) {
-            inOrder.removeIf(due -> due.off);
+            inOrder.removeIf(due -> due.cancelled);
         }
     }
 
@@ -54,7 +54,7 @@ final class Schedule {
     String poll(long atNanos) {
         while (!inOrder.isEmpty() && inOrder.peek().atNanos <= atNanos) {
             Due due = inOrder.poll();
-            if (!due.off) {
+            if (!due.cancelled) {
                 byDevice.remove(due.device);
                 return due.device;
             }
@@ -62,7 +62,7 @@ final class Schedule {
         return null;
     }
 
-    /** How much is queued, crossed out or not. */
+    /** The number of entries in the queue, cancelled ones included. */
     int queued() {
         return inOrder.size();
     }

@@ -7,8 +7,7 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Writes one JSON object as bytes, its members in the order in which they are told, so that the same things give the
- * same bytes.
+ * Writes one JSON object as bytes, its members in the order of the calls, so that the same calls give the same bytes.
  */
 final class Json {
     /** Large enough for most records. */
@@ -117,7 +116,7 @@ final class Json {
         for (int at = 0; at < words.length(); at++) {
             char each = words.charAt(at);
             if (each >= ASCII) {
-                // What follows may belong to the same character.
+                // The next char may be the second half of this character.
                 other(words.substring(at));
                 break;
             }

@@ -5,9 +5,11 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.Locale;
 import java.util.Set;
 import org.evoloop.core.Output;
 import org.evoloop.core.text.SnapshotException;
+import org.evoloop.core.text.SnapshotText;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Values;
@@ -17,7 +19,7 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.junit.jupiter.api.Test;
 
-/** What is kept of a device goes through bytes unchanged, whatever it is in the middle of. */
+/** A device's state is the same after it was written and read, at any moment. */
 class DeviceStateBytesTest {
     private static final long PATIENCE = 1_000_000_000L;
 
@@ -58,11 +60,31 @@ class DeviceStateBytesTest {
                 new Event("switch"), Values.of("a", "b c"), Source.PANEL, false, Set.of("x"), 0, atNanos));
     }
 
+    private static byte[] text(DeviceState state) {
+        String head = "evoloop-device 1 "
+                + state.model()
+                + ' '
+                + state.sequence()
+                + ' '
+                + state.heard()
+                + words(state.open())
+                + words(state.lost())
+                + '\n';
+        return (head + SnapshotText.write(state.snapshot())).getBytes(StandardCharsets.UTF_8);
+    }
+
+    private static String words(Order.Open order) {
+        return order == null
+                ? " 0 0 none 0"
+                : " " + order.sequence() + ' ' + order.occurrence() + ' '
+                        + order.kind().name().toLowerCase(Locale.ROOT) + ' ' + order.deadlineNanos();
+    }
+
     private void assertUnchanged() {
-        byte[] text = DeviceStateText.write(device.state());
+        byte[] text = text(device.state());
         byte[] bytes = DeviceStateBytes.write(device.state());
         assertThat(bytes.length).isLessThan(text.length / 2);
-        // Earlier fleets have kept text.
+        // Stored text is read, too.
         for (byte[] each : new byte[][] {text, bytes}) {
             assertThat(DeviceStateBytes.model(each)).isEqualTo("lamp-1");
             assertThat(DeviceStateBytes.read(lamp.rules(), each)).isEqualTo(device.state());
@@ -94,7 +116,7 @@ class DeviceStateBytesTest {
         assertThatThrownBy(() -> DeviceStateText.model("nothing\n".getBytes(StandardCharsets.UTF_8)))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("evoloop-device 1");
-        byte[] text = DeviceStateText.write(device.state());
+        byte[] text = text(device.state());
         String damaged = new String(text, StandardCharsets.UTF_8).replace("none", "nine");
         assertThatThrownBy(() -> DeviceStateText.read(lamp.rules(), damaged.getBytes(StandardCharsets.UTF_8)))
                 .isInstanceOf(RuntimeException.class);

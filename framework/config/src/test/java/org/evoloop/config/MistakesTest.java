@@ -47,8 +47,7 @@ class MistakesTest {
                                         "  D/fan.yaml:4: say which fan: port PATH or simulate",
                                         "  D/fan.yaml:6: models is D/gone.xml, which does not exist; correct the path",
                                         "  D/fan.yaml:9: a value is expected, not a mapping; an option takes text, "
-                                                + "true or false, or a "
-                                                + "list of texts",
+                                                + "true or false, or a list of texts",
                                         "  D/fan.yaml:10: journal takes one value, not a list"));
     }
 
@@ -62,8 +61,8 @@ class MistakesTest {
                 "--simulate --simulate|--simulate is given twice; keep one",
                 "--simulate=maybe|--simulate: 'maybe' is neither true nor false; write one of them",
                 "--simulate --nonsense value|there is no option --nonsense; see fan --help",
-                "--simulate again|'again' does not belong to an option; options begin with --, and values with "
-                        + "spaces are quoted",
+                "--simulate again|'again' does not belong to an option; options begin with --, and values with spaces "
+                        + "are quoted",
                 "--simulate --journal=|--journal has an empty value; write one, or leave it out",
                 "--start|say which fan: --port PATH or --simulate",
             })

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Random;
 import java.util.Set;
+import java.util.function.BiFunction;
 import org.evoloop.core.Scene.Act;
 import org.evoloop.core.text.SnapshotException;
 import org.evoloop.core.text.SnapshotText;
@@ -83,12 +84,17 @@ class SnapshotTextTest {
 
     @Test
     void everySnapshotThatIsMetIsReadAsItWasWritten() {
+        assertUnchanged((rules, snapshot) -> SnapshotText.read(rules, SnapshotText.write(snapshot)));
+    }
+
+    /** @param writtenAndRead writes a snapshot and reads it again */
+    static void assertUnchanged(BiFunction<Rules, Snapshot, Snapshot> writtenAndRead) {
         for (Scene scene : List.of(
                 Scene.robot().outOfOrder().with(1, Act.PRESS, Act.OWN, Act.GIVE_UP, Act.JUMP),
                 RandomPair.scene(1).with(1, Act.PRESS, Act.OWN, Act.FAIL, Act.DISMISS),
                 RandomPair.scene(2).with(1, Act.PRESS, Act.FAIL, Act.RAISE, Act.ASK))) {
             Exploration.of(scene, 12, (rules, snapshot) -> {
-                Snapshot read = SnapshotText.read(rules, SnapshotText.write(snapshot));
+                Snapshot read = writtenAndRead.apply(rules, snapshot);
                 if (!read.equals(snapshot)) {
                     assertThat(read).as("%s", scene).isEqualTo(snapshot);
                 }

@@ -39,7 +39,7 @@ final class RequestServer implements AutoCloseable {
     private final Door door;
     private final Map<String, Consumer<Values>> requests;
     private final HttpServer server;
-    private final AtomicBoolean malformedTold = new AtomicBoolean();
+    private final AtomicBoolean malformedReported = new AtomicBoolean();
     private final ThreadPoolExecutor threads =
             new ThreadPoolExecutor(0, MOST_REQUESTS, IDLE_SECONDS, TimeUnit.SECONDS, new SynchronousQueue<>(), task -> {
                 Thread thread = new Thread(task, "evoloop-http");
@@ -98,7 +98,7 @@ final class RequestServer implements AutoCloseable {
             }
         } catch (ProtocolException malformed) {
             String path = exchange.getRequestURI().getPath();
-            tellOnce(
+            warnOnce(
                     exchange.getRequestMethod() + " " + path.substring(0, Math.min(path.length(), LONGEST_PATH)),
                     malformed);
         } catch (RuntimeException failure) {
@@ -110,8 +110,8 @@ final class RequestServer implements AutoCloseable {
     }
 
     /** A client that keeps sending such requests must not fill the log. */
-    private void tellOnce(String request, ProtocolException malformed) {
-        if (malformedTold.compareAndSet(false, true)) {
+    private void warnOnce(String request, ProtocolException malformed) {
+        if (malformedReported.compareAndSet(false, true)) {
             LOG.warn(
                     "a client's request {} is malformed: {}; further ones are not reported",
                     request,

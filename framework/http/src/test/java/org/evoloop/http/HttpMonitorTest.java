@@ -178,8 +178,8 @@ class HttpMonitorTest {
                 .isTrue();
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new HttpMonitor("Buttons", 0).listenOn("0.0.0.0", "short"))
-                .withMessage("the token has 5 characters; give it at least 16, since other computers can reach "
-                        + "0.0.0.0");
+                .withMessage(
+                        "the token has 5 characters; give it at least 16, since other computers can reach 0.0.0.0");
         try (HttpMonitor guarded = new HttpMonitor("Guarded", 0).listenOn("0.0.0.0", TOKEN)) {
             guarded.found("POST /is-off", "off").open();
             URI address = URI.create("http://127.0.0.1:" + guarded.port() + "/is-off");

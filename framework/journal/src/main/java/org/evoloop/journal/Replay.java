@@ -55,9 +55,8 @@ final class Replay {
         Core core = tell(file, segment);
         if (segment.isTorn()) {
             LOG.warn(
-                    "{} ends in the middle of record {}, at byte {}: it was being written when its process ended, "
-                            + "and is"
-                            + " cut off",
+                    "{} ends in the middle of record {}, at byte {}: it was being written when its process ended, and "
+                            + "is cut off",
                     file,
                     segment.number() + 1,
                     segment.end());

@@ -62,9 +62,8 @@ final class LineReader {
                     .decode(ByteBuffer.wrap(taken))
                     .toString();
         } catch (CharacterCodingException garbage) {
-            complaints.accept("bytes that are not UTF-8 text are ignored; check the rate of a serial port, or what "
-                    + "is at the"
-                    + " other end");
+            complaints.accept("bytes that are not UTF-8 text are ignored; check the rate of a serial port, or what is "
+                    + "at the other end");
             return "";
         }
     }

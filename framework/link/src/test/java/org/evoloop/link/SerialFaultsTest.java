@@ -114,8 +114,8 @@ class SerialFaultsTest {
                 .contains("in use by another program, such as a terminal program, ModemManager");
         assertThat(SerialFaults.notOpened(settings, device, 5).fault()).isEqualTo(Fault.HUNG_UP);
         assertThat(SerialFaults.notOpened(settings, device, 22))
-                .hasMessage("serial port /dev/ttyMissing at 250000 baud cannot be set up (system error 22);"
-                        + " try another baud rate, or unplug the cable and plug it in again");
+                .hasMessage("serial port /dev/ttyMissing at 250000 baud cannot be set up (system error 22); try "
+                        + "another baud rate, or unplug the cable and plug it in again");
     }
 
     @Test

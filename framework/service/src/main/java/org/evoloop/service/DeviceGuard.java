@@ -121,7 +121,7 @@ public final class DeviceGuard implements AutoCloseable {
             try {
                 look();
             } catch (RuntimeException failure) {
-                LOG.error("the guard failed to check on this program", failure);
+                LOG.error("the guarded device could not be checked", failure);
             }
         }
     }

@@ -39,8 +39,8 @@ final class Instances {
     static void requireName(String name) {
         if (!name.matches("[A-Za-z0-9_][A-Za-z0-9_-]*")) {
             throw new IllegalArgumentException(
-                    "'" + name + "' is not a name for an instance; use letters, digits, - and _, and"
-                            + " no - in front, as in living-room");
+                    "'" + name + "' is not a name for an instance; use letters, digits, - and _, and no - in front, as "
+                            + "in living-room");
         }
     }
 

@@ -44,8 +44,7 @@ class InstancesTest {
         assertThat(told).isEqualTo(new ServiceOptions(true, "lamp-2", Path.of("kept")));
         assertThatThrownBy(() -> ServiceOptions.OPTIONS.read(List.of("--name", "a.b"), Map.of()))
                 .hasMessage("--name: 'a.b' is not a name for an instance; use letters, digits, - and _, and no - in "
-                        + "front, as in "
-                        + "living-room");
+                        + "front, as in living-room");
     }
 
     @Test

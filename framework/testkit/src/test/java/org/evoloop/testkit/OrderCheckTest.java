@@ -33,8 +33,8 @@ class OrderCheckTest {
     void anEffectThatIsToldBeforeItHappensIsFound() {
         assertFails(PlayerAdapter.Kind.EFFECTS_TOO_SOON)
                 .hasMessageMatching(
-                        "(?s)the adapter does not keep the order when \\w+ is sent in \\w+, and the device does"
-                                + " \\w+ by itself just before it takes \\w+: .*tookEffect.*It has reported:.*");
+                        "(?s)the adapter does not keep the order when \\w+ is sent in \\w+, and the device does \\w+ "
+                                + "by itself just before it takes \\w+: .*tookEffect.*It has reported:.*");
     }
 
     @Test

@@ -24,8 +24,7 @@ import org.evoloop.statemachine.ModelException;
 final class TimeFormParser {
     private static final String ALONE = "a property with a time in it must be alone on its line, in one of the forms "
             + "'after F, G within 3 s', 'F never longer than 3 s', 'F never shorter than 3 s', 'F only after 3 s of "
-            + "G', "
-            + "'F at most 3 times in 10 s'; F and G are of one moment: names, 'not', 'and', 'or' and brackets";
+            + "G', 'F at most 3 times in 10 s'; F and G are of one moment: names, 'not', 'and', 'or' and brackets";
 
     private final FormulaParser formulas;
 

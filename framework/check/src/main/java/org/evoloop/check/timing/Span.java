@@ -53,8 +53,8 @@ public record Span(long minNanos, long maxNanos) {
         String stripped = text.strip();
         if (STRICT.matcher(stripped).matches()) {
             throw new ModelException("'" + stripped
-                    + "' excludes its end, which cannot be decided: intervals are closed; write only the length, "
-                    + "such as 3 s");
+                    + "' excludes its end, which cannot be decided: intervals are closed; write only the length, such "
+                    + "as 3 s");
         }
         Matcher length = LENGTH.matcher(stripped);
         Long unit = length.matches() ? UNITS.get(length.group(2)) : null;

@@ -97,8 +97,8 @@ public final class TimeCheck {
     }
 
     private static String remedy() {
-        return "write lengths of time with a greater common divisor, what is known about when events come, "
-                + "'at least ... between presses', or a shorter 'queue'";
+        return "write lengths of time with a greater common divisor, what is known about when events come, 'at least "
+                + "... between presses', or a shorter 'queue'";
     }
 
     /** @param first judged; beside it those from whose violation something follows */
@@ -141,9 +141,8 @@ public final class TimeCheck {
                 new Element.OfState(
                         Element.ModelRole.NEW, way.get(way.size() - 1).after().evolved()),
                 "'" + property.name() + "' (" + file + ", line " + property.line() + ") does not hold",
-                "change the new model or its times, write what is known about when events come, or change the "
-                        + "property if it "
-                        + "asks for too much",
+                "change the new model or its times, write what is known about when events come, or change the property "
+                        + "if it asks for too much",
                 List.of(),
                 way));
     }

@@ -137,7 +137,7 @@ final class TimeHazards implements Exploration.Judge {
                 "time comes to a halt in " + state
                         + ": something has to happen before any time can pass, and all that can happen leads back "
                         + "there",
-                "let timers that follow each other in a circle take time, and check the assumptions about when "
-                        + "events come");
+                "let timers that follow each other in a circle take time, and check the assumptions about when events "
+                        + "come");
     }
 }

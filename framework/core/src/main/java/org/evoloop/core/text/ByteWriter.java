@@ -9,12 +9,12 @@ final class ByteWriter extends ItemWriter {
     static final int FALSE = 2;
     static final int TRUE = 3;
 
-    /** Of each byte of a number, the bits that count; the other tells whether more follow. */
+    /** The value bits in each byte of a number; the remaining bit says whether more bytes follow. */
     static final int BITS = 7;
 
     static final int MORE = 1 << BITS;
 
-    /** Part of a text's length if it has two bytes for each character. */
+    /** Flag in a text's length: each character takes two bytes. */
     static final int WIDE = 1;
 
     private static final char MOST_NARROW = 0xff;
@@ -75,7 +75,7 @@ final class ByteWriter extends ItemWriter {
 
     @Override
     ItemWriter number(long number) {
-        // Small numbers below zero become small ones above it.
+        // Negative numbers near zero become small positive ones.
         return unsigned((number << 1) ^ (number >> (Long.SIZE - 1)));
     }
 
@@ -88,7 +88,7 @@ final class ByteWriter extends ItemWriter {
         return octet((int) rest);
     }
 
-    /** A byte for each character where that is enough, else two, so that any characters stay what they are. */
+    /** Writes one byte per character if that is enough for all of them, else two; so every string can be written. */
     @Override
     ItemWriter text(String words) {
         int count = words.length();

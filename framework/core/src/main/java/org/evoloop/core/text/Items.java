@@ -5,10 +5,10 @@ import java.util.List;
 
 /** The items of a snapshot, read one after another: groups of words, numbers and texts. */
 abstract class Items {
-    /** The exception for something that does not fit the models, or that nobody can read. */
+    /** The exception for something that does not fit the models, or cannot be read. */
     abstract SnapshotException wrong(String what);
 
-    /** The exception for something that was never written. */
+    /** The exception for bytes or text that were changed after they were written. */
     abstract SnapshotException damaged(String what);
 
     /** Advances to the next group, which must be {@code name}. */

@@ -32,7 +32,7 @@ final class Lines extends Items {
 
     @Override
     void next(String first) {
-        goOn();
+        advance();
         int to = wordEnd(begin);
         if (to - begin != first.length() || !text.startsWith(first, begin)) {
             throw damaged("'" + first + "' was expected, not '" + text.substring(begin, to) + "'");
@@ -42,11 +42,11 @@ final class Lines extends Items {
 
     @Override
     String next() {
-        goOn();
+        advance();
         return word();
     }
 
-    private void goOn() {
+    private void advance() {
         number++;
         if (next >= text.length()) {
             throw damaged("the text ends too early");

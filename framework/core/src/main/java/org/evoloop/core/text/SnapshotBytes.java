@@ -4,9 +4,9 @@ import org.evoloop.core.Rules;
 import org.evoloop.core.Snapshot;
 
 /**
- * Snapshots as bytes, for programs that keep very many: a third as long as {@link SnapshotText}, and read and written in
- * a fraction of the time. They hold the same items in the same order, with the same names of states and transitions, and
- * are refused for the same reasons. The same snapshot gives the same bytes.
+ * Snapshots as bytes, for programs that store very many: shorter than {@link SnapshotText}. They contain the same items in
+ * the same order, with the same names of states and transitions, and are refused for the same reasons. The same snapshot
+ * gives the same bytes.
  *
  * <p>Threading: thread-safe.
  *

@@ -4,9 +4,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** The numbers of words in bytes. What was written is read again: a word keeps its number, and others come last. */
+/** The numbers of words in bytes. Stored bytes contain them: never change a number, and add words only at the end. */
 final class WordCodes {
-    /** The number of a word that has none, and is written out. */
+    /** Stands for a word without a number, which is written out. */
     static final int OTHER = 0;
 
     private static final List<String> WORDS = List.of(

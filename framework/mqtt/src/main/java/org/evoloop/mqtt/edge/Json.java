@@ -101,14 +101,14 @@ final class Json {
             at += 4;
             return hexadecimal(text.substring(at - 4, at));
         }
-        throw wrong("\\" + which + " is no escape sequence");
+        throw wrong("\\" + which + " is not an escape sequence");
     }
 
     private char hexadecimal(String digits) {
         try {
             return (char) Integer.parseInt(digits, 16);
         } catch (NumberFormatException noNumber) {
-            throw wrong("\\u" + digits + " is no escape sequence");
+            throw wrong("\\u" + digits + " is not an escape sequence");
         }
     }
 
@@ -130,7 +130,7 @@ final class Json {
         try {
             return Double.valueOf(word);
         } catch (NumberFormatException noNumber) {
-            throw wrong("'" + word + "' is no value");
+            throw wrong("'" + word + "' is not a value");
         }
     }
 

@@ -53,8 +53,8 @@ public record CameraSource(Kind kind, String text) {
             String scheme = text.substring(0, text.indexOf(':')).toLowerCase(Locale.ROOT);
             if (!scheme.equals("http") && !scheme.equals("https")) {
                 throw new CameraException(
-                        "camera " + masked(text) + ": " + scheme + " is not supported; give a URL that begins "
-                                + "with http:// or https:// and answers with Motion JPEG");
+                        "camera " + masked(text) + ": " + scheme + " is not supported; give a URL that begins with "
+                                + "http:// or https:// and answers with Motion JPEG");
             }
             return new CameraSource(Kind.URL, text);
         }

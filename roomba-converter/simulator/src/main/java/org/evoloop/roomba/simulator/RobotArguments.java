@@ -19,8 +19,8 @@ final class RobotArguments {
     @Option(
             names = "--room",
             paramLabel = "FILE",
-            description = "The room it lives in, described below, or living-room, which is included (default: an "
-                    + "open plain).")
+            description = "The room it lives in, described below, or living-room, which is included (default: an open "
+                    + "plain).")
     private @Nullable Path room;
 
     @Option(

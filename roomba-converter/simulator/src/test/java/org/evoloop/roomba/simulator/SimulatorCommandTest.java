@@ -88,8 +88,8 @@ class SimulatorCommandTest {
                         + "and --camera-fps go with --camera PORT",
                 "--link L --camera 0 --camera-quality best | cannot start the simulator: camera quality is 'best'; "
                         + "there are clean, typical and hard",
-                "--link L --camera 0 --camera-size big | cannot start the simulator: --camera-size is 'big'; it "
-                        + "takes WxH in pixels, for example 640x480",
+                "--link L --camera 0 --camera-size big | cannot start the simulator: --camera-size is 'big'; it takes "
+                        + "WxH in pixels, for example 640x480",
                 "--link L --camera 0 --camera-size 8x480 | cannot start the simulator: picture width in pixels is 8; "
                         + "allowed is 16 to 1920",
                 "--link L --camera 0 --camera-fov 180 | cannot start the simulator: field of view in degrees is 180; "

@@ -64,9 +64,9 @@ class WorldCommandsTest {
     @Test
     void helpNamesEveryCommand() {
         assertThat(world.execute("help"))
-                .isEqualTo("press clean|spot|dock [MILLIS]; lift; set-down; place X Y HEADING; dock; undock; unplug;"
-                        + " replug; move-marker X Y HEADING; cover-marker; uncover-marker;"
-                        + " camera stall|resume|unplug|replug|damage P; state; help");
+                .isEqualTo("press clean|spot|dock [MILLIS]; lift; set-down; place X Y HEADING; dock; undock; unplug; "
+                        + "replug; move-marker X Y HEADING; cover-marker; uncover-marker; camera "
+                        + "stall|resume|unplug|replug|damage P; state; help");
     }
 
     @Test

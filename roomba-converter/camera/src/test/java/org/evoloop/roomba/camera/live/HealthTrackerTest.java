@@ -38,8 +38,8 @@ class HealthTrackerTest {
         assertHealth(
                 3 * SECOND,
                 Condition.STALLED,
-                "camera x has sent 2 damaged frames and no good one for 2.0 s; check its cable, or ask it for "
-                        + "smaller frames");
+                "camera x has sent 2 damaged frames and no good one for 2.0 s; check its cable, or ask it for smaller "
+                        + "frames");
     }
 
     @Test

@@ -141,8 +141,7 @@ class VideoCameraTest {
             awaitState(camera, Condition.GONE);
             assertThat(camera.newest().health().reason())
                     .isEqualTo("camera " + url + " cannot be opened; does exactly that address answer with Motion "
-                            + "JPEG, "
-                            + "not with a page that shows it?");
+                            + "JPEG, not with a page that shows it?");
             assertThat(camera.newest().frame()).isZero();
         }
     }
