@@ -36,13 +36,6 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class CheckCommand implements Callable<Integer> {
-    /** The output formats. */
-    enum Format {
-        TEXT,
-        JSON,
-        SVG
-    }
-
     @Spec
     private CommandSpec spec;
 
@@ -55,7 +48,7 @@ final class CheckCommand implements Callable<Integer> {
             description =
                     "One of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}); svg draws the events that lead to"
                             + " each finding.")
-    private Format format;
+    private OutputFormat format;
 
     @Mixin
     private ConverterOptions converter;

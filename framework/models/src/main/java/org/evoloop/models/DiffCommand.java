@@ -20,13 +20,6 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class DiffCommand implements Callable<Integer> {
-    /** The output formats. */
-    enum Format {
-        TEXT,
-        JSON,
-        SVG
-    }
-
     @Spec
     private CommandSpec spec;
 
@@ -37,7 +30,7 @@ final class DiffCommand implements Callable<Integer> {
             names = "--format",
             defaultValue = "TEXT",
             description = "One of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
-    private Format format;
+    private OutputFormat format;
 
     @Override
     public Integer call() {

@@ -25,13 +25,6 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class JournalReplayCommand implements Callable<Integer> {
-    /** The output formats. */
-    enum Format {
-        TEXT,
-        JSON,
-        SVG
-    }
-
     @Spec
     private CommandSpec spec;
 
@@ -59,7 +52,7 @@ final class JournalReplayCommand implements Callable<Integer> {
             names = "--format",
             defaultValue = "TEXT",
             description = "One of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
-    private Format format;
+    private OutputFormat format;
 
     @Mixin
     private PropertiesFile properties;

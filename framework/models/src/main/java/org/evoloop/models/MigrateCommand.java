@@ -27,13 +27,6 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class MigrateCommand implements Callable<Integer> {
-    /** The output formats. */
-    enum Format {
-        TEXT,
-        JSON,
-        SVG
-    }
-
     @Spec
     private CommandSpec spec;
 
@@ -72,7 +65,7 @@ final class MigrateCommand implements Callable<Integer> {
             names = "--format",
             defaultValue = "TEXT",
             description = "One of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
-    private Format format;
+    private OutputFormat format;
 
     @Override
     public Integer call() throws IOException {
