@@ -1,4 +1,4 @@
-"""What becomes of each command that the documentation tells of: it is run, or there is a reason why not."""
+"""All commands in the documentation: how each is run, or why it is not."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from dataclasses import dataclass
 FAN = "docs/fan/original.scxml docs/fan/new.scxml"
 LAMP = "models/light-bulb.xml#original models/light-bulb.xml#new"
 ROBOT = "{robot}"
-"""Stands for the port of a simulated robot, wherever the documentation names a serial port."""
+"""Placeholder for a simulated robot's port, where the documentation has a serial port."""
 CAMERA = "{camera}"
-"""Stands for the address of its camera."""
+"""Placeholder for the address of its camera."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class Known:
 
 
 def typed(documented: str, **details: object) -> Known:
-    """One that is run as it is written."""
+    """A command that is run as documented."""
     return Known(documented, run=documented, **details)  # type: ignore[arg-type]
 
 
@@ -303,7 +303,7 @@ KNOWN = [
         "prism models/exact.sm models/paper.props -const event_arrive=0.5,conversion=0.25,T=0:5:100",
         why_not="needs PRISM, which is not in Debian; stormpy checks the same files",
     ),
-    # For those who change it.
+    # For contributors.
     typed("./mvnw spotless:apply", slow=True),
     Known(
         "./mvnw package -pl roomba-converter -am",

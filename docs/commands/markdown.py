@@ -1,4 +1,4 @@
-"""Finds the commands that a Markdown file tells its readers to type."""
+"""Finds the commands in a Markdown file."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ _INLINE = re.compile(r"`([^`]+)`")
 
 
 def commands(text: str) -> list[str]:
-    """Those in code blocks, without remarks and in one line, and those in the middle of a sentence."""
+    """The commands in code blocks, joined to one line without comments, and those within sentences."""
     blocks = [line for fence in _FENCE.findall(text) for line in fence.splitlines()]
     prose = _FENCE.sub("", text)
     blocks += [line[4:] for line in prose.splitlines() if line.startswith("    ")]

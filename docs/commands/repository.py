@@ -1,4 +1,4 @@
-"""A local Maven repository for tests: what is built here, on top of what Maven has fetched for the project's own build."""
+"""A local Maven repository for tests: this project's modules, on top of what Maven has fetched for the project's build."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 from test_commands import LIMIT_S, ROOT
 
 SCAFFOLDED = ("bom", "core", "xmi", "config", "console", "journal", "service", "page", "metrics", "mqtt", "testkit")
-"""What a scaffolded project depends on."""
+"""The modules on which a scaffolded project depends."""
 
 
 class Repository:
@@ -16,12 +16,12 @@ class Repository:
         self.folder = folder
 
     def install(self, *modules: str) -> None:
-        """Puts modules into it, with those that they need."""
+        """Installs modules into it, with those that they need."""
         names = ",".join(f"framework/{module}" for module in modules)
         self.maven(ROOT / "pom.xml", "-q", "-Dmaven.test.skip=true", "-pl", names, "-am", "install")
 
     def maven(self, pom: Path, *arguments: str) -> str:
-        """Runs Maven with it; returns what Maven says."""
+        """Runs Maven with it; returns Maven's output."""
         fetched = Path.home() / ".m2" / "repository"
         result = subprocess.run(
             [

@@ -1,4 +1,4 @@
-"""Every command that the documentation tells of works; ./evoloop test runs this in a copy of the project."""
+"""Every command in the documentation works; ./evoloop test runs this in a copy of the project."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ class KnownTest(unittest.TestCase):
 
 
 class HelpTest(unittest.TestCase):
-    """On a machine where nothing was installed and nothing built."""
+    """On a machine where nothing is installed and nothing was built."""
 
     def test_help_comes_at_once(self) -> None:
         with tempfile.TemporaryDirectory(prefix="evoloop-help-") as name:
@@ -95,7 +95,7 @@ class HelpTest(unittest.TestCase):
 
 
 class CommandsTest(unittest.TestCase):
-    """Runs in a copy, so that nothing is written into the project; what was built there is good in the copy, too."""
+    """Runs in a copy, so that nothing is written into the project; the project's build is also valid in the copy."""
 
     @classmethod
     def setUpClass(cls) -> None:
@@ -110,7 +110,7 @@ class CommandsTest(unittest.TestCase):
 
     @classmethod
     def keep_what_is_compiled(cls) -> None:
-        """Maven compiles anew where its sources are not those of the last time, which it lists with their whole paths."""
+        """Maven recompiles if the sources differ from its list of the last build's, which has absolute paths."""
         for sources in cls.copy.glob("**/target/maven-status/**/inputFiles.lst"):
             sources.write_text(sources.read_text(encoding="utf-8").replace(f"{ROOT}/", f"{cls.copy}/"), encoding="utf-8")
 
@@ -137,7 +137,7 @@ class CommandsTest(unittest.TestCase):
         simulator.communicate(timeout=LIMIT_S)
 
     def test_documented_commands_work(self) -> None:
-        """What knows the robot, and what does not, go side by side; the slow ones measure, and want the machine for themselves."""
+        """Commands with and without the robot run in parallel; slow ones measure, so they run alone."""
         lanes: dict[bool, list[Known]] = {}
         for entry in DUE:
             lanes.setdefault(not SLOW and bool({ROBOT, CAMERA, "roomba"} & set(entry.run.split())), []).append(entry)

@@ -1,4 +1,4 @@
-"""What the jars that were built carry of licences and notices."""
+"""The licences and notices in the built jars."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _ENTRY = re.compile(r"^  ([a-z0-9]+(?:\.\w+)*)  +\S", re.MULTILINE)
 
 
 def jars() -> list[Path]:
-    """Those that every build makes; the one of this machine's OpenCV is never given away."""
+    """The jars that every build makes, except that of this machine's OpenCV, which is never distributed."""
     modules = [ROOT / module / "target" for module in MODULES if module != "roomba-converter/opencv-debian"]
     found = (jar for module in modules for jar in module.glob("*.jar"))
     return sorted(jar for jar in found if not re.search("^original-|-(sources|javadoc)[.]jar$", jar.name))

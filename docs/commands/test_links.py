@@ -1,4 +1,4 @@
-"""Every link between the project's Markdown files leads to a file, and to a heading of it."""
+"""Every link between the project's Markdown files leads to an existing file and heading."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _HEADING = re.compile(r"^#+ (.*)$", re.MULTILINE)
 
 
 def anchors(text: str) -> set[str]:
-    """As GitHub makes them of headings: lower case, hyphens for blanks, no other punctuation."""
+    """The anchors that GitHub makes from headings: lower case, hyphens for spaces, no other punctuation."""
     headings = _HEADING.findall(_FENCE.sub("", text))
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
 

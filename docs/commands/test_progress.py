@@ -1,4 +1,4 @@
-"""A build by ./evoloop shows how far it is on a terminal only, and why it failed everywhere; Maven is a stand-in here."""
+"""A build by ./evoloop shows its progress on terminals only, and errors everywhere; Maven is replaced by a fake here."""
 
 from __future__ import annotations
 

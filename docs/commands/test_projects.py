@@ -1,4 +1,4 @@
-"""Projects of others, in Java and in Kotlin, with Maven and with Gradle, build against the artifacts as ./evoloop install leaves them."""
+"""Users' projects, in Java and Kotlin, with Maven and Gradle, build against the artifacts of ./evoloop install."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ TOOL = ROOT / "framework" / "models" / "target" / "evoloop-models.jar"
 
 @unittest.skipUnless(BUILDS_PROJECTS, "slow: ./evoloop test --slow runs it")
 class ProjectsTest(unittest.TestCase):
-    """In a local repository of their own, on top of what Maven has fetched for the project's own build."""
+    """In a separate local repository, on top of what Maven has fetched for the project's build."""
 
     @classmethod
     def setUpClass(cls) -> None:
@@ -51,7 +51,7 @@ class ProjectsTest(unittest.TestCase):
             timeout=LIMIT_S,
         )
         self.assertEqual(result.returncode, 0, result.stdout[-3000:] + result.stderr[-2000:])
-        # Debian's Gradle starts JUnit's own console, later ones write what Maven writes.
+        # Debian's Gradle starts JUnit's own console; later versions write the same as Maven.
         written = self.folder / "beside" / "gradle" / "build" / "test-results" / "test"
         passed = re.search(r"\b1 tests successful\b", result.stdout) or list(written.glob("TEST-*LampTest.xml"))
         self.assertTrue(passed, result.stdout[-3000:])
@@ -88,7 +88,7 @@ class ProjectsTest(unittest.TestCase):
             self.assertIn(library, licences)
 
     def converted_by(self, jar: Path) -> list[str]:
-        """What a scaffolded program says when its robot is on and is to Move, which its new model alone has."""
+        """The output of a scaffolded program when its robot is on and should Move, a state that only its new model has."""
         command = ["java", "-jar", str(jar)]
         with subprocess.Popen(command, stdin=PIPE, stdout=PIPE, stderr=STDOUT, encoding="utf-8") as program:
             assert program.stdin and program.stdout

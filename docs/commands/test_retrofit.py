@@ -1,4 +1,4 @@
-"""Follows docs/retrofit.md to its end: the project that it makes, a fan, a broker, and a converter between."""
+"""Follows docs/retrofit.md to its end, with the project that it makes, a fan, a broker, and a converter between them."""
 
 from __future__ import annotations
 
@@ -28,13 +28,13 @@ def blocks(language: str) -> list[str]:
 
 
 def documented(beginning: str) -> list[str]:
-    """The words of the command of the guide that begins so."""
+    """The words of the guide's command that begins like this."""
     (line,) = [line.strip() for line in GUIDE.splitlines() if line == f"    {beginning}"]
     return line.split()
 
 
 def changed(text: str, diff: str) -> str:
-    """``text`` where the lines with ``-`` of a diff have given way to the lines with ``+`` that follow."""
+    """``text`` with the lines with ``-`` of a diff replaced by the lines with ``+`` that follow them."""
     for old, new in re.findall(r"((?:^-.*\n)+)((?:^\+.*\n)*)", diff, re.MULTILINE):
         before, after = (re.sub("^[-+]", "", lines, flags=re.MULTILINE) for lines in (old, new))
         if text.count(before) != 1:
@@ -117,7 +117,7 @@ class RetrofitTest(unittest.TestCase):
         until(f"{button} leads to {state}", lambda: self.said(fan).strip().endswith(f"the fan is {state}"))
 
     def ctl(self, command: str) -> str:
-        """What the converter answers; nothing if it does not run yet."""
+        """The converter's answer; empty if it is not yet running."""
         line = documented(f"java -cp target/fan.jar org.evoloop.service.Ctl fan {command}")
         return subprocess.run(
             line, cwd=self.project, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, timeout=PATIENCE_S

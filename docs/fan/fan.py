@@ -1,6 +1,6 @@
-"""A fan that speaks in lines, for whoever has none: python3 fan.py [PORT].
+"""A simulated fan that sends and receives lines: python3 fan.py [PORT].
 
-Type what is pressed on its remote control (power, speed, boost, breeze), or overheat for what it does by itself.
+Type the buttons of its remote control (power, speed, boost, breeze), or overheat, which it does by itself.
 """
 
 import socketserver

@@ -1,7 +1,7 @@
-"""What the Debian package contains, and what becomes of it in a Debian: installed, run, upgraded, rolled back, removed, purged,
-and killed, frozen and stopped as a service.
+"""The contents of the Debian package, and its behaviour in Debian systems: installed, run, upgraded, rolled back,
+removed, purged, and killed, frozen and stopped as a service.
 
-Run by ./evoloop test --package, which has built the package and made the Debians that EVOLOOP_ROOTS names.
+Run by ./evoloop test --package, which has built the package and the Debian systems that EVOLOOP_ROOTS names.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ PROJECT = Path(__file__).resolve().parents[2]
 PACKAGE = next((PROJECT / "target").glob("evoloop_*_all.deb"))
 ROOTS = [Path(root) for root in os.environ.get("EVOLOOP_ROOTS", "").split()]
 PROGRAMS = {"./usr/bin/evoloop", "./usr/lib/evoloop/make-safe", "./usr/lib/evoloop/prepare-classes"}
-# systemd itself boots only on the processor that it is for.
+# systemd can boot only on its own processor architecture.
 OWN_ROOTS = [root for root in ROOTS if "-" not in root.name]
 LIMIT_S = 600
 
 
 def members(package: Path) -> dict[str, bytes]:
-    """Those of the ar archive, in its order."""
+    """The members of the ar archive, in order."""
     data = package.read_bytes()
     assert data.startswith(b"!<arch>\n")
     found, at = {}, 8
@@ -175,7 +175,7 @@ class DebianTest(unittest.TestCase):
             self.assertLess(time.monotonic(), end, "nobody listens")
 
     def change_versions(self, root: Path) -> None:
-        """An upgrade keeps what the administrator has changed, and goes back."""
+        """An upgrade keeps the administrator's changes, and can be rolled back."""
         self.do(root, "sed -i 's/^port:.*/port: \\/dev\\/ttyUSB7/' /etc/evoloop/roomba.yaml")
         self.do(
             root,
@@ -201,16 +201,16 @@ class DebianTest(unittest.TestCase):
 
 @unittest.skipUnless(OWN_ROOTS, "the Debians are made by ./evoloop test --package, which needs root and debootstrap")
 class BootTest(unittest.TestCase):
-    """The service under a systemd that has booted in one of the Debians."""
+    """The service under a systemd that has booted in one of the Debian systems."""
 
     def boot(self, root: Path) -> None:
         command = ["systemd-nspawn", "--quiet", "--boot", "--register=no", "--keep-unit", "-M", "evoloop-test", "-D", root]
-        # The console's login needs a terminal of its own.
+        # The console's login needs its own terminal.
         machine = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.addCleanup(machine.wait)
         self.await_that(lambda: self.leader(machine) != "" or machine.poll() is not None)
         leader = self.leader(machine)
-        # All that runs in there ends with its first process, and that does not end with the command.
+        # Everything in it ends with its first process, which does not end with the command.
         self.addCleanup(subprocess.run, ["kill", "-KILL", leader])
         self.inside = ["nsenter", "-t", leader, "-a"]
         self.await_that(lambda: self.do("systemctl is-system-running || true") in ("running", "degraded"))

@@ -1,1 +1,1 @@
-"""The study of performance and robustness: the paper's Exp. 2, and what comes after it."""
+"""The study of performance and robustness: the paper's Exp. 2, and our extensions."""

@@ -1,4 +1,4 @@
-"""When the converter's belief and the device differ for the first time."""
+"""When the converter's recorded state differs from the device's for the first time."""
 
 from study.checking import Checker, combinations
 from study.paper import ARRIVALS_PER_S, MECHANISMS
@@ -8,7 +8,7 @@ TIMES_S = (5, 10, 20, 100)
 
 
 def belief_table(checker: Checker) -> Table:
-    """Mean time to the first difference, and the probability of one until some times."""
+    """Mean time to the first difference, and the probability of one by certain times."""
     differed = tuple(f"differed_{time_s}_s" for time_s in TIMES_S)
     table = Table("belief", ("model", "conversion", "K", "mean_s", *differed))
     for model in ("exact", "fifo-serial", "fifo-pipelined"):

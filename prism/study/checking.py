@@ -1,4 +1,4 @@
-"""What every checker does: it answers the properties of a file for a model, for all combinations of constants."""
+"""The interface of checkers: they evaluate the properties of a file for a model, for all combinations of constants."""
 
 import itertools
 from collections.abc import Iterator, Mapping, Sequence
@@ -9,11 +9,11 @@ MODELS = Path(__file__).resolve().parent.parent / "models"
 
 Number = float | int
 Constants = Mapping[str, Number | Sequence[Number]]
-"""Constants by name. One that is given as a sequence varies: each combination of the varying ones is checked."""
+"""Constants by name. One given as a sequence varies: every combination of varying constants is checked."""
 
 
 class Answers:
-    """The values of properties, by name and by those varying constants on which they depend."""
+    """The values of properties, by name and by the varying constants on which they depend."""
 
     def __init__(self) -> None:
         self._values: dict[tuple[str, frozenset[tuple[str, float]]], float] = {}
@@ -26,7 +26,7 @@ class Answers:
 
     def largest_difference(self, other: "Answers", relative: bool) -> float:
         """
-        The largest difference to the answers of another checker; infinite where one of them has no answer.
+        The largest difference from the answers of another checker; infinite where one of them has no answer.
 
         If relative, the difference of two values above 1 counts in proportion to them.
         """
@@ -37,7 +37,7 @@ class Answers:
 
 
 def _key(constants: Mapping[str, Number]) -> frozenset[tuple[str, float]]:
-    # Checkers count a range up in steps, so that 0.3 may come back as 0.30000000000000004.
+    # Checkers compute a range in steps, so that 0.3 may come back as 0.30000000000000004.
     return frozenset((name, round(float(value), 9)) for name, value in constants.items())
 
 

@@ -30,7 +30,7 @@ def main(arguments: list[str]) -> int:
 
 
 def say(text: str) -> None:
-    """Tells the user what goes on; results go to stdout."""
+    """Reports progress to the user; results go to stdout."""
     print(f"study: {text}", file=sys.stderr, flush=True)
 
 
@@ -108,7 +108,7 @@ def _check(options: argparse.Namespace) -> int:
 
 
 def _study(options: argparse.Namespace) -> int:
-    # Only here: drawing takes a while to load, and --check does without.
+    # Imported only here: the drawing library loads slowly, and --check does not need it.
     from study import run
 
     broken = run.prove(say) if options.proof else []

@@ -1,4 +1,4 @@
-"""Values that can be derived by hand, to check checkers and models with."""
+"""Values derived by hand, to verify checkers and models."""
 
 import math
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ _OPERATED_PER_S = 0.3
 
 @dataclass(frozen=True)
 class Check:
-    """A value of the study beside the one that is known."""
+    """A value of the study beside the known one."""
 
     what: str
     value: float
@@ -67,14 +67,14 @@ def checks(checker: Checker) -> list[Check]:
 
 
 def operated_share() -> float:
-    """How long a device is not where it was seen last: on a ring of three, each operation moves it on by one."""
+    """The share of time in which a device is not where it was last seen: on a ring of three, each operation moves it by one."""
     moved = _OPERATED_PER_S / (_OPERATED_PER_S + 1 / _AWAY_S)
     unmoved = (1 - moved) / (1 - moved**3)
     return (1 - unmoved) * _AWAY_S / (_SIGHT_S + _AWAY_S)
 
 
 def baseline_lost(time_s: float) -> float:
-    """Arrivals during actions: the device acts with probability a(1-exp(-(a+s)t))/(a+s), losing a per second then."""
+    """Arrivals during actions: the device acts with probability a(1-exp(-(a+s)t))/(a+s), and then loses a per second."""
     total = ARRIVALS_PER_S + _ACTIONS_PER_S
     busy_s = ARRIVALS_PER_S / total * (time_s - (1 - math.exp(-total * time_s)) / total)
     return ARRIVALS_PER_S * busy_s
@@ -82,7 +82,7 @@ def baseline_lost(time_s: float) -> float:
 
 def unbuffered_lost_per_s(conversion_s: float, arrivals_per_s: float = ARRIVALS_PER_S) -> float:
     """
-    What the paper's mechanism loses in the long run: arrivals less actions done.
+    The long-run losses of the paper's mechanism: arrivals minus actions done.
 
     With arrivals a, conversions c and actions s a second, it does c(c+a+s)/((c+a)(c+s)) times the actions of the device
     alone, which does as/(a+s).

@@ -1,4 +1,4 @@
-"""The converter that runs beside the models that describe it."""
+"""Compares the running converter with the models that describe it."""
 
 from dataclasses import dataclass
 
@@ -9,7 +9,7 @@ from study.predictions import QUANTITIES, TAIL, Predictions
 from study.tables import Table
 
 _FALSE_ALARM = 0.01
-"""How likely a run may fail though the converter does what its models say."""
+"""The probability that a run fails although the converter agrees with its models."""
 
 
 @dataclass(frozen=True)
@@ -34,10 +34,10 @@ class Comparison:
 
 def failures(comparisons: list[Comparison]) -> list[Comparison]:
     """
-    Those that chance does not explain.
+    The comparisons whose difference chance does not explain.
 
-    Of many 99 % intervals some miss by chance. A value fails if it lies outside an interval so wide that all together
-    miss with a probability of 1 % at most, however they depend on each other (Bonferroni).
+    Of many 99 % intervals some miss by chance. A value fails if it lies outside an interval so wide that the
+    probability that any of them misses is 1 % at most, however they depend on each other (Bonferroni).
     """
     confidence = 1 - _FALSE_ALARM / max(1, len(comparisons))
     return [one for one in comparisons if not one.measured.holds(one.model, confidence)]

@@ -1,4 +1,4 @@
-"""What the listing counts of the events that are really lost, and from which conversion time on a mechanism loses."""
+"""How many of the lost events the listing counts, and from which conversion time on a mechanism loses more than the device alone."""
 
 from collections.abc import Callable
 
@@ -12,7 +12,7 @@ _TOLERANCE_S = 1e-4
 
 
 def counting_table(checker: Checker) -> Table:
-    """Losses of the paper's mechanism until 100 s as listed and exactly, and what share of the device's is counted."""
+    """Losses of the paper's mechanism until 100 s, as listed and exactly, and the counted share of the device's losses."""
     constants = {"event_arrive": ARRIVALS_PER_S, "conversion": CONVERSIONS_S}
     listed = checker.check("listing", "paper", {**constants, "T": HORIZON_S})
     exact = checker.check("exact", "paper", {**constants, "T": HORIZON_S})
@@ -21,7 +21,7 @@ def counting_table(checker: Checker) -> Table:
     held = checker.check("exact", "waiting", constants)
     table = Table("counting", ("conversion", "lost_listing", "lost_exact", "device_losses_counted"))
     for conversion in CONVERSIONS_S:
-        # An event that arrives while one is in conversion is lost in the converter, which the listing counts rightly.
+        # An event that arrives while one is in conversion is lost in the converter, which the listing counts correctly.
         in_converter = ARRIVALS_PER_S * held.value("held", conversion=conversion)
         counted = listed_rate.value("lost_rate", conversion=conversion) - in_converter
         real = exact_rate.value("lost_rate", conversion=conversion) - in_converter
@@ -35,7 +35,7 @@ def counting_table(checker: Checker) -> Table:
 
 
 def flagged_baseline(checker: Checker) -> float:
-    """What the device alone loses until 100 s when it is counted as the listing counts."""
+    """The losses of the device alone until 100 s, counted as in the listing."""
     constants = {"event_arrive": ARRIVALS_PER_S, "T": HORIZON_S}
     return checker.check("baseline-flag", "paper", constants).value("lost")
 

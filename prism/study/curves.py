@@ -1,4 +1,4 @@
-"""The paper's two properties for every mechanism, and the figures that say the most about each."""
+"""The paper's two properties for every mechanism, and the most informative figures about each."""
 
 from dataclasses import dataclass
 

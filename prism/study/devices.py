@@ -1,4 +1,4 @@
-"""Devices that make it harder: two events for one decision, and readiness that is only inferred."""
+"""More difficult devices: two events for one decision, and readiness that is only inferred."""
 
 from study.checking import Checker
 from study.paper import ARRIVALS_PER_S, CAPACITIES, HORIZON_S

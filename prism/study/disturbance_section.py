@@ -1,4 +1,4 @@
-"""The section of the report on crashes, links that break, and other models."""
+"""The section of the report on crashes, broken links, and replaced models."""
 
 from study.curves import Curves
 from study.disturbances import CAPACITY, OPERATED_PER_S, RESTART_S

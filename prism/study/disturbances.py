@@ -1,4 +1,4 @@
-"""What befalls a converter: its process crashes, the device is out of sight, other models take over."""
+"""Disturbances of a converter: its process crashes, the device is unreachable, its models are replaced."""
 
 from collections.abc import Mapping
 
@@ -17,7 +17,7 @@ PAUSES_S = (0.001, 0.1, 1.0)
 RESTART_S = 1.0
 
 DIFFERING = ("crash", "sight")
-"""Models in which belief and device can differ."""
+"""Models in which the recorded and the true state can differ."""
 
 _SHARED = {"event_arrive": ARRIVALS_PER_S, "conversion": CONVERSION_S, "K": CAPACITY}
 _FOUND = ("lost", "handed", "completion_s", "lost_per_s", "mean_wait_s", "divergence_s", "differs")
@@ -42,7 +42,7 @@ def sight_table(checker: Checker) -> Table:
 
 
 def swap_table(checker: Checker) -> Table:
-    """Other models take over, or the process is started again with them, which takes longer."""
+    """The models are replaced in the running process, or by a restart, which takes longer."""
     table = Table("swap", ("way", "every", "pause", *_FOUND))
     every = EVERY_S[0]
     for pause in PAUSES_S:

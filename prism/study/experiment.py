@@ -1,4 +1,4 @@
-"""The converter that runs, measured."""
+"""Measures the running converter."""
 
 import csv
 import shutil
@@ -13,13 +13,13 @@ from study.problem import Problem
 from study.tables import Table
 
 MEASUREMENTS = "experiment-measured"
-"""The table that the experiment leaves behind; reports take it up until it is measured anew."""
+"""The table that the experiment writes; reports use it until the next measurement."""
 
 _JAR = Path(__file__).resolve().parent.parent / "experiment" / "target" / "study-experiment.jar"
 
 
 class Measurements:
-    """What the experiment measured, by mode, point, quantity and time."""
+    """The experiment's measurements, by mode, point, quantity and time."""
 
     def __init__(self, rows: list[dict[str, str]]) -> None:
         self._rows = {(row["mode"], row["point"], row["quantity"], int(row["t"])): row for row in rows}
@@ -32,7 +32,7 @@ class Measurements:
         return NEVER if row is None else estimate(int(row["n"]), float(row["mean"]), float(row["deviation"]))
 
     def least_events(self, mode: Mode) -> int:
-        """The least number of events of any point, short runs and long one together."""
+        """The smallest number of events of any point, in its short runs and its long one together."""
         return min(self._events(mode, point) for one, point in MEASURED if one == mode)
 
     def _events(self, mode: Mode, point: Point) -> int:
@@ -40,7 +40,7 @@ class Measurements:
         return round(int(short["n"]) * float(short["mean"]) + float(long["mean"]))
 
 
-def measure(first_seed: int, tell: Callable[[str], None]) -> Table:
+def measure(first_seed: int, progress: Callable[[str], None]) -> Table:
     """Runs the experiment; each point has a seed of its own in each mode, counted from the first one."""
     if not _JAR.is_file():
         raise Problem(f"{_JAR} is missing; run the study as ./evoloop study --experiment, which builds it")
@@ -49,7 +49,7 @@ def measure(first_seed: int, tell: Callable[[str], None]) -> Table:
         raise Problem("there is no java on the PATH; ./evoloop setup installs it")
     table = Table(MEASUREMENTS, ("mode", "point", "seed", "quantity", "t", "n", "mean", "deviation"))
     for seed, (mode, point) in enumerate(MEASURED, start=first_seed):
-        tell(f"measuring {point.name} in {mode.name} (seed {seed})")
+        progress(f"measuring {point.name} in {mode.name} (seed {seed})")
         length = ("--runs", str(mode.short_runs), "--batch", str(mode.batch_s))
         command = [java, "-jar", str(_JAR), *length, *mode.options]
         done = subprocess.run(command, input=_line(point, seed), capture_output=True, text=True, check=False)
@@ -61,11 +61,11 @@ def measure(first_seed: int, tell: Callable[[str], None]) -> Table:
 
 
 _COLUMNS = ("K", "steps", "conversion", "action", "holdoff")
-"""Constants that have a column of their own."""
+"""Constants with their own columns."""
 
 
 def _line(point: Point, seed: int) -> str:
-    """A point as the experiment reads it; names with commas would be two cells."""
+    """A point as the experiment reads it; a name with a comma would become two cells."""
     cells = (
         "point",
         point.mechanism,
@@ -82,7 +82,7 @@ def _line(point: Point, seed: int) -> str:
 
 
 def load(folder: Path) -> Measurements | None:
-    """The measurements that were made before; None if there are none."""
+    """The stored measurements; None if there are none."""
     path = folder / f"{MEASUREMENTS}.csv"
     if not path.is_file():
         return None

@@ -1,4 +1,4 @@
-"""The section of the report on the converter that runs."""
+"""The section of the report on the running converter."""
 
 from study.comparing import Comparison, failures
 from study.markdown import table
@@ -67,7 +67,7 @@ expected.
 
 
 def _usual(quantities: dict[str, str]) -> dict[str, str]:
-    """Those that undisturbed points have."""
+    """The quantities that undisturbed points have."""
     return {name: text for name, text in quantities.items() if name not in ("handed", "differs")}
 
 

@@ -1,4 +1,4 @@
-"""The conversion time of today's converter, from the benchmarks, and what follows from it."""
+"""The present converter's conversion time, from the benchmarks, and its consequences."""
 
 import json
 from dataclasses import dataclass
@@ -13,22 +13,22 @@ from study.tables import Table
 from study.waiting import mean_wait_s
 
 KEPT = Path(__file__).resolve().parent.parent.parent / "benchmarks" / "results"
-"""What ./evoloop bench --json has written and the project keeps."""
+"""The stored results of ./evoloop bench --json."""
 
 ROWS = {
     "a whole conversion with threads, median": "an event follows at once on the one before",
     "button to command, added by us, median": "every thread has slept before, and a serial link lies between",
 }
-"""The rows of the benchmarks' table that are conversion times, and what they are measured under."""
+"""The rows of the benchmarks' table that are conversion times, with the conditions of their measurement."""
 
 PERCENTILES = ("button to command, added by us, 99th percentile", "button to command, 99th percentile")
-"""What the row with the button's 99th percentile is called, and was until 2026-11-22; the other row has it among its peers."""
+"""The names, present and former, of the row with the button's 99th percentile; the other row contains its percentile itself."""
 
 SLOWER_S = (0.25, 1.0)
-"""Mean conversion times at which the measured spread matters: the paper's least and greatest."""
+"""Mean conversion times at which the measured spread matters: the paper's smallest and largest."""
 
 CAPACITY = 9
-"""What a converter holds by default: 8 events in the queue and one in the loop."""
+"""A converter's default capacity: 8 events in the queue and one in the loop."""
 
 TABLES = ("measured", "measured-phases")
 
@@ -38,7 +38,7 @@ _HELP = "give it a file that ./evoloop bench --json FILE wrote, all suites or --
 
 @dataclass(frozen=True)
 class Measured:
-    """A conversion time, the row that it stands in, and which run that is of."""
+    """A conversion time, with its row and its run."""
 
     conversion_s: float
     row: str
@@ -48,7 +48,7 @@ class Measured:
 
 
 def newest(folder: Path = KEPT) -> Path:
-    """The file of the latest day in a folder of results; of several of one day the last by its name."""
+    """The file of the latest day in a folder of results; of several files of that day, the last by name."""
     days = [(_load(path).get("day"), path) for path in folder.glob("*.json")]
     if not days:
         raise Problem(f"--measured: there are no results in {folder}; {_HELP}", status=2)
@@ -99,7 +99,7 @@ def measured_table(checker: Checker, times: list[Measured]) -> Table:
     """
     The paper's mechanism and ours at the measured conversion times, in the long run.
 
-    What happens until 100 s is not asked: with conversions of microseconds that takes millions of steps.
+    Values until 100 s are left out: with conversions of microseconds they take millions of steps.
     """
     header = ("row", "run", "conversion", "model", "K", "completion_s", "lost_per_s", "mean_wait_s")
     table = Table(TABLES[0], header)
@@ -121,7 +121,7 @@ def measured_table(checker: Checker, times: list[Measured]) -> Table:
 
 
 def phases_table(checker: Checker, times: list[Measured]) -> Table:
-    """What the measured spread changes in the long run, beside exponential times of the same mean; and in slower converters."""
+    """The long-run effect of the measured spread compared with exponential times of the same mean, also for slower converters."""
     header = ("row", "median", "percentile", "phases", "first", "more", "last", "variation", "mean", "distribution")
     table = Table(TABLES[1], (*header, "completion_s", "lost_per_s", "mean_wait_s"))
     for measured in times:

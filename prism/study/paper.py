@@ -1,4 +1,4 @@
-"""The parameters of the paper's experiment and what is compared with it."""
+"""The parameters of the paper's experiment, and the mechanisms that are compared with it."""
 
 ARRIVALS_PER_S = 0.5
 CONVERSIONS_S = (0.25, 0.5, 0.75, 1.0)

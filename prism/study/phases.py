@@ -1,7 +1,7 @@
 """
 Conversion times as measured, as distributions of phases.
 
-Results of the benchmarks keep the median and the 99th percentile. A Coxian distribution that has both is fitted: conversions
+Results of the benchmarks keep the median and the 99th percentile. A Coxian distribution with both is fitted: conversions
 that vary less than exponential times have phases of one length, and some have one more; of those that vary more, one in ten
 has another phase, which is longer.
 """
@@ -37,17 +37,17 @@ class Phases:
         return variance / self.mean**2
 
     def over(self, time_s: float) -> float:
-        """The probability to take longer."""
+        """The probability of taking longer."""
         if self.last == self.first:
             x = time_s / self.first
             fewer, most = _erlang(self.phases, x), _erlang(self.phases + 1, x)
             return (1 - self.more) * fewer + self.more * most
-        # One phase, and for some another one of another length.
+        # One phase, and in some conversions a second one of a different length.
         soon, late = math.exp(-time_s / self.first), math.exp(-time_s / self.last)
         return (1 - self.more) * soon + self.more * (self.last * late - self.first * soon) / (self.last - self.first)
 
     def quantile(self, share: float) -> float:
-        """The time within which this share of the conversions is done."""
+        """The time within which this share of the conversions ends."""
         return _root(lambda time_s: 1 - self.over(time_s) - share, 0.0, 100 * (self.mean + self.last))
 
     def with_mean(self, mean: float) -> "Phases":
@@ -63,7 +63,7 @@ def fit(median_s: float, percentile_s: float) -> Phases:
     """
     The distribution with this median and this 99th percentile.
 
-    Raises Problem if the two are nearly the same, or out of all proportion.
+    Raises Problem if the two are nearly equal or too far apart.
     """
     ratio = percentile_s / median_s
     if ratio > math.log(100) / math.log(2):
@@ -85,7 +85,7 @@ def _ratio(shape: Phases) -> float:
 
 
 def _erlang(phases: int, x: float) -> float:
-    """The probability that so many exponential times of mean 1 take longer than x."""
+    """The probability that the sum of this many exponential times of mean 1 exceeds x."""
     return math.exp(-x) * sum(x**done / math.factorial(done) for done in range(phases))
 
 

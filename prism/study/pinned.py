@@ -1,4 +1,4 @@
-"""Values that every model must have, so that a change to one of them is noticed: models/pinned.csv."""
+"""Values that the models must have (models/pinned.csv), so that a change to a model is noticed."""
 
 import csv
 from collections.abc import Iterator
@@ -13,7 +13,7 @@ _RELATIVE = 1e-5
 
 @dataclass(frozen=True)
 class Pin:
-    """A value of one property for one set of constants, and where it is from."""
+    """A value of one property for one set of constants, with its source."""
 
     model: str
     properties: str
@@ -32,7 +32,7 @@ class Pin:
 
 @dataclass(frozen=True)
 class Found:
-    """A pinned value beside the one that a checker has found."""
+    """A pinned value beside the one that a checker has computed."""
 
     pin: Pin
     value: float
@@ -46,7 +46,7 @@ class Found:
 
 
 def pins(model: str | None = None) -> list[Pin]:
-    """Those of one model or properties file, or all."""
+    """The pins of one model or properties file, or all."""
     with (checking.MODELS / "pinned.csv").open(encoding="utf-8", newline="") as file:
         rows = [_pin(row) for row in csv.DictReader(file)]
     return [pin for pin in rows if model in (None, pin.model, pin.properties)]
@@ -54,13 +54,13 @@ def pins(model: str | None = None) -> list[Pin]:
 
 def _pin(row: dict[str, str]) -> Pin:
     assignments = (assignment.partition("=") for assignment in row["constants"].split())
-    # PRISM takes no 2.0 for a whole number.
+    # PRISM does not accept 2.0 as an integer.
     constants = tuple((name, int(value) if value.isdigit() else float(value)) for name, _, value in assignments)
     return Pin(row["model"], row["properties"], constants, row["property"], float(row["value"]), row["source"])
 
 
 def check(checker: Checker, wanted: list[Pin]) -> Iterator[Found]:
-    """Each pin with its value today; pins that one question answers must stand together."""
+    """Each pin with its present value; pins that one query answers must be consecutive."""
     asked: tuple[str, str, tuple[tuple[str, Number], ...]] | None = None
     answers = Answers()
     for pin in wanted:
@@ -71,7 +71,7 @@ def check(checker: Checker, wanted: list[Pin]) -> Iterator[Found]:
 
 
 def report(found: list[Found]) -> list[str]:
-    """A line for each model whose values all hold, and one for each value that does not."""
+    """A line for each model whose values are all right, and one for each wrong value."""
     lines = []
     for model in dict.fromkeys(one.pin.model for one in found):
         of_model = [one for one in found if one.pin.model == model]

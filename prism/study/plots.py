@@ -21,7 +21,7 @@ from study.waiting import LONGEST_S
 
 _CONVERSION_S = 0.25
 _BASELINE = {"color": "black", "linewidth": 2.2, "linestyle": "-"}
-# Told apart by marker and dash alone when there is no colour; the colours differ in brightness too.
+# Distinguishable by marker and dash without colour; the colours differ in brightness, too.
 _STYLES = (
     {"color": "#08306b", "linestyle": "--", "marker": "o"},
     {"color": "#a63603", "linestyle": "-.", "marker": "s"},
@@ -49,7 +49,7 @@ def draw_experiment(folder: Path, measurements: Measurements, predictions: Predi
 
 
 def _save(figure: Figure, folder: Path, name: str) -> None:
-    # Without these the same results would give another file each time.
+    # Without these, the same results would give a different file each time.
     with pyplot.rc_context({"svg.hashsalt": "evoloop"}):
         figure.savefig(folder / f"{name}.svg", metadata={"Date": None})
     figure.savefig(folder / f"{name}.png", dpi=130)
@@ -209,7 +209,7 @@ def _experiment(measurements: Measurements, predictions: Predictions) -> Figure:
 
 
 def plain_points() -> list[Point]:
-    """The points that differ in their queue alone."""
+    """The points that differ only in their queue."""
     return [point for point in POINTS if set(point.constants) <= {"conversion", "K"} and _is_plain(point)]
 
 

@@ -1,4 +1,4 @@
-"""What is measured: sets of parameters, for the converter that runs and for the model that describes it."""
+"""The sets of parameters that are measured, for the running converter and for the model that describes it."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ from study.phases import Phases
 
 @dataclass(frozen=True)
 class Mode:
-    """How the converter's loop is driven, and how much is measured: threads that wake each other take their time."""
+    """How the converter's loop is run, and how much is measured; with threads it runs slower."""
 
     name: str
     options: tuple[str, ...]
@@ -24,7 +24,7 @@ MODES = (
 """Step by step on one thread, or by a thread for each component."""
 
 BATCHES = 100
-"""Of a long run, in both modes."""
+"""The number of batches in a long run, in both modes."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ class Point:
 
 _CRASHES = {"conversion": 0.25, "K": 4, "crash": 20.0, "recovery": 5.0}
 _OUT_OF_SIGHT = {"conversion": 0.25, "K": 4, "sight": 20.0, "away": 5.0}
-# As far from exponential as what the benchmarks measured on 2026-11-22, and so slow that it matters.
+# As far from exponential as the benchmarks' measurement of 2026-11-22, and slow enough to matter.
 _LOOP = Phases(phases=1, first=1.0, more=0.1, last=4.0).with_mean(1.0)
 _BUTTON = Phases(phases=1, first=1.0, more=0.3, last=1.0).with_mean(1.0)
 
@@ -66,10 +66,10 @@ POINTS = (
     Point("times spread as the loop's, K=4, 1 s", "pipelined", "phases", {"K": 4, **_LOOP.constants()}),
     Point("times spread as the button's, K=4, 1 s", "pipelined", "phases", {"K": 4, **_BUTTON.constants()}),
     Point("crashes, journal", "pipelined", "crash", {**_CRASHES, "journal": 1}),
-    # What a crash loses has arrived before: until 100 s the model and the bench's book count it at different times.
+    # An event lost in a crash arrived earlier, so until 100 s the model and the bench count it at different times.
     Point("crashes, no journal", "pipelined", "crash", {**_CRASHES, "journal": 0}, frozenset(("lost", "wait_s"))),
     Point("out of sight", "pipelined", "sight", {**_OUT_OF_SIGHT, "operated": 0.0}),
-    # What becomes of an event that was decided before the device was operated, the model does not say.
+    # The model does not cover events that were decided before the device was operated.
     Point(
         "out of sight, operated",
         "pipelined",
@@ -83,4 +83,4 @@ POINTS = (
 MEASURED = tuple(
     (mode, point) for mode in MODES for point in POINTS if not (point.disturbed and mode.name == "threads")
 )
-"""What is measured; nothing disturbs a loop with threads, which cannot be ended in the middle of what they do."""
+"""What is measured. Disturbed points only without threads, since threads cannot be ended in the middle of their work."""

@@ -1,4 +1,4 @@
-"""What the models say for what is measured."""
+"""The models' predictions for what is measured."""
 
 import math
 from collections.abc import Iterator
@@ -25,11 +25,11 @@ TAIL = "longer"
 _NEARLY_NEVER = 1e-9
 _LOSSES = 100
 _LONG_WAITS = 1000
-"""So many have to be expected, or chance makes an interval of them that means little. Long waits come in bunches."""
+"""The least expected number for a meaningful interval; it is high since long waits come in bursts."""
 
 
 class Predictions:
-    """What the models say for the points."""
+    """The models' predictions for the points."""
 
     def __init__(self, checker: Checker, longer: Table) -> None:
         self._checker = checker
@@ -72,7 +72,7 @@ class Predictions:
             yield "handed", HORIZON_S, self._handed[point.name].value("handed")
         if point.name in self._differs:
             differs = self._differs[point.name].value("differs")
-            # Where they never do, the time until they do says so.
+            # If they never do, the time until they do shows that.
             if differs > _NEARLY_NEVER:
                 yield "differs", 0, differs
         for time_s in range(1, LONGEST_S + 1):
@@ -81,7 +81,7 @@ class Predictions:
                 yield TAIL, time_s, share
 
     def longer(self, point: Point, time_s: int) -> float | None:
-        """The probability to wait longer, for the points whose model has one event's way; None for others."""
+        """The probability of waiting longer, for points whose model follows a single event; None for others."""
         conversion = point.parameter("conversion", 0)
         if point.mechanism == "unbuffered":  # an event waits for its own conversion alone
             return math.exp(-time_s / conversion)

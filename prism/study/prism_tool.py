@@ -10,7 +10,7 @@ from pathlib import Path
 from study.checking import Answers, Constants, Number, combinations, model_file, property_file, varying
 from study.problem import Problem
 
-# PRISM's default of 1e-6 is too coarse to compare with; below about 8e-10 it refuses.
+# PRISM's default of 1e-6 is too coarse for comparisons; it refuses values below about 8e-10.
 _EPSILON = "1e-9"
 _NAME = re.compile(r'^Model checking: "([^"]+)":')
 _MODEL_CONSTANTS = re.compile(r"^Model constants:\s*(\S+)")
@@ -19,7 +19,7 @@ _RESULT = re.compile(r"^Result:\s*(\S+)")
 
 
 class Prism:
-    """Checks with PRISM, one process for all combinations that PRISM can count through by itself."""
+    """Checks with PRISM, one process for all combinations that PRISM can iterate over by itself."""
 
     name = "PRISM"
 
@@ -70,7 +70,7 @@ def _range(values: Sequence[Number]) -> str | None:
 
 
 def read_results(log: str) -> Iterator[tuple[str, dict[str, float], float]]:
-    """Name, constants and value of each property in a log of PRISM, in its order."""
+    """Name, constants and value of each property in a log of PRISM, in order."""
     name, of_model, of_property = "", {}, {}
     for line in log.splitlines():
         if found := _MODEL_CONSTANTS.match(line):

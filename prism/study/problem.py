@@ -1,8 +1,8 @@
-"""Mistakes of a user."""
+"""Users' mistakes."""
 
 
 class Problem(Exception):
-    """A mistake that a user can fix; the message says what and how. The status is what the program exits with."""
+    """A mistake that the user can fix; the message says how. The program exits with the status."""
 
     def __init__(self, message: str, status: int = 1) -> None:
         super().__init__(message)

@@ -13,7 +13,7 @@ from study.tables import Table
 
 @dataclass
 class Findings:
-    """Everything that the study found out."""
+    """All findings of the study."""
 
     checker: str
     curves: Curves

@@ -25,7 +25,7 @@ from study.tables import Table
 
 RESULTS = Path(__file__).resolve().parent.parent / "results"
 
-Tell = Callable[[str], None]
+Progress = Callable[[str], None]
 
 _TABLES: dict[str, tuple[Callable[[Checker], Table], ...]] = {
     "counting losses exactly": (counting.counting_table, counting.break_even_table),
@@ -37,26 +37,26 @@ _TABLES: dict[str, tuple[Callable[[Checker], Table], ...]] = {
 }
 
 
-def study(checker: Checker, tell: Tell) -> list[comparing.Comparison]:
+def study(checker: Checker, progress: Progress) -> list[comparing.Comparison]:
     """
     Checks every model and writes tables, plots and the report.
 
-    Returns how the measurements of the last experiment compare, nothing if there has been none.
+    Returns the comparison with the last experiment's measurements, empty if there are none.
     """
     RESULTS.mkdir(exist_ok=True)
-    tell(f"the paper's properties, with {checker.name}")
+    progress(f"the paper's properties, with {checker.name}")
     computed = curves.compute(checker)
     tables = [curves.curves_table(computed), curves.summary_table(computed)]
     for what, makers in _TABLES.items():
-        tell(what)
+        progress(what)
         tables += [make(checker) for make in makers]
     by_name = {table.name: table for table in tables}
     found = report.Findings(checker.name, computed, by_name, counting.flagged_baseline(checker))
-    tell("plots")
+    progress("plots")
     plots.draw(RESULTS, computed, by_name)
     measurements = experiment.load(RESULTS)
     if measurements is not None:
-        tell("the experiment's measurements beside the models")
+        progress("the experiment's measurements beside the models")
         predictions = Predictions(checker, by_name["waiting-longer"])
         found.comparisons = comparing.compare(measurements, predictions)
         found.measured_events = {mode: measurements.least_events(mode) for mode in MODES}
@@ -72,22 +72,22 @@ def study(checker: Checker, tell: Tell) -> list[comparing.Comparison]:
     return found.comparisons
 
 
-def prove(tell: Tell) -> list[str]:
-    """Checks the specification of the converter, for the report to take up; returns what does not hold."""
+def prove(progress: Progress) -> list[str]:
+    """Checks the specification of the converter, for use in the report; returns what does not hold."""
     RESULTS.mkdir(exist_ok=True)
-    return proving.prove(RESULTS, tell)
+    return proving.prove(RESULTS, progress)
 
 
-def run_experiment(first_seed: int, tell: Tell) -> None:
-    """Measures the converter anew, for the report to take up."""
+def run_experiment(first_seed: int, progress: Progress) -> None:
+    """Measures the converter anew, for use in the report."""
     RESULTS.mkdir(exist_ok=True)
-    experiment.measure(first_seed, tell).write(RESULTS)
+    experiment.measure(first_seed, progress).write(RESULTS)
 
 
-def take_measured(checker: Checker, times: list[measured.Measured], tell: Tell) -> None:
-    """Checks the models at measured conversion times, for the report to take up."""
+def take_measured(checker: Checker, times: list[measured.Measured], progress: Progress) -> None:
+    """Checks the models at measured conversion times, for use in the report."""
     RESULTS.mkdir(exist_ok=True)
     for one in times:
-        tell(f"the measured conversion time, {one.conversion_s * 1e6:.1f} µs ({one.row}; {one.run})")
+        progress(f"the measured conversion time, {one.conversion_s * 1e6:.1f} µs ({one.row}; {one.run})")
     measured.measured_table(checker, times).write(RESULTS)
     measured.phases_table(checker, times).write(RESULTS)

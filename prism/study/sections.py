@@ -1,4 +1,4 @@
-"""The sections of the report: what was found, for somebody who has the paper in hand."""
+"""The sections of the report, for readers who have the paper."""
 
 from study.closed_forms import unbuffered_lost_per_s
 from study.curves import Curves

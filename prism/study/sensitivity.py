@@ -1,4 +1,4 @@
-"""Losses against those of the device alone, for other arrival rates and conversion times than the paper's."""
+"""Losses compared with those of the device alone, for arrival rates and conversion times other than the paper's."""
 
 from study.checking import Checker, Number
 from study.paper import HORIZON_S

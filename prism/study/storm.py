@@ -32,7 +32,7 @@ class Storm:
                 "or put PRISM on the PATH and use --checker prism"
             ) from cause
         self._stormpy = stormpy
-        # Storm warns of each command that is written PRISM's way; its errors come as exceptions too.
+        # Storm warns about each command in PRISM's syntax; its errors are also raised as exceptions.
         stormpy.developer.set_log_level(stormpy.developer.LogLevel.OFF)
         self._environment = stormpy.Environment()
         self._environment.solver().native().precision = stormpy.Rational(_PRECISION)
@@ -67,7 +67,7 @@ class Storm:
                 yield instantiated[0], given
 
     def _read(self, model: str, properties: str) -> tuple[Any, list[Any]]:
-        # A program remembers the constants of the properties that were read with it, so each pair has one of its own.
+        # A program keeps the constants of the properties read with it, so each pair has its own.
         if (model, properties) not in self._parsed:
             program_path, property_path = model_file(model), property_file(properties)
             for path in (program_path, property_path):
@@ -78,14 +78,14 @@ class Storm:
                 questions = self._stormpy.parse_properties(property_path.read_text(encoding="utf-8"), program)
             except RuntimeError as cause:
                 if str(cause) == "std::exception":
-                    # Storm tells the reason of some mistakes, such as unknown names, in its log alone.
+                    # Storm reports the reason for some errors, such as unknown names, only in its log.
                     raise RuntimeError(self._logged(program_path, property_path)) from cause
                 raise
             self._parsed[model, properties] = program, list(questions)
         return self._parsed[model, properties]
 
     def _logged(self, program_path: Path, property_path: Path) -> str:
-        """What Storm logs when it reads the files, in a process of its own: the log cannot be had otherwise."""
+        """What Storm logs when it reads the files. In a separate process, since the log cannot be captured otherwise."""
         script = (
             "import sys, stormpy as s, stormpy.developer as d; d.set_log_level(d.LogLevel.ERR); "
             "p = s.parse_prism_program(sys.argv[1], prism_compatibility=True); "
@@ -127,6 +127,6 @@ def _given(variables: dict[str, Any], values: dict[str, Number]) -> dict[str, Nu
 
 
 def _reason(cause: BaseException) -> str:
-    """What Storm says is wrong, in one line, without the name of its exception."""
+    """Storm's error message in one line, without the exception's name."""
     words = " ".join(str(cause).replace("^", " ").split())
     return words.split("Exception: ", maxsplit=1)[-1]

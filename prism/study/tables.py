@@ -7,7 +7,7 @@ Cell = str | float | int | None
 
 
 class Table:
-    """Rows under a header, kept in results/NAME.csv."""
+    """Rows with a header, stored in results/NAME.csv."""
 
     def __init__(self, name: str, header: tuple[str, ...]) -> None:
         self.name = name
@@ -27,7 +27,7 @@ class Table:
 
     @staticmethod
     def read(name: str, folder: Path) -> "Table | None":
-        """A table that was written before, its cells as numbers where they are; None if there is none."""
+        """A stored table, with numeric cells as numbers; None if there is none."""
         path = folder / f"{name}.csv"
         if not path.is_file():
             return None
@@ -52,6 +52,6 @@ def _text(cell: Cell) -> str:
     if cell is None:
         return ""
     if isinstance(cell, float):
-        # The checkers agree to about nine digits after the point, and machines print the same.
+        # The checkers agree to about nine decimal places, so different machines print the same.
         return f"{cell:.9f}".rstrip("0").rstrip(".") if abs(cell) != float("inf") else "inf"
     return str(cell)

@@ -1,4 +1,4 @@
-"""How long an event waits in our converter, from its arrival until it is handed over to the device."""
+"""How long an event waits in our converter, from its arrival until it is passed to the device."""
 
 from study.checking import Answers, Checker
 from study.paper import ARRIVALS_PER_S, CAPACITIES, CONVERSIONS_S
@@ -6,11 +6,11 @@ from study.tables import Table
 
 LONGEST_S = 10
 STAGES = {"serial": (0, 1), "pipelined": (0, 1, 2)}
-"""What an event can find besides those before it, as the formula stage of the models has it."""
+"""What an event can find besides the events before it, the values of the models' formula stage."""
 
 
 def mean_wait_s(answers: Answers, **constants: float) -> float:
-    """Little's law, for the answers of waiting.props."""
+    """The mean wait by Little's law, from the answers of waiting.props."""
     return answers.value("held", **constants) / answers.value("taken_rate", **constants)
 
 
@@ -31,7 +31,7 @@ def longer_table(checker: Checker) -> Table:
     table = Table("waiting-longer", ("model", "conversion", "K", "t", "probability"))
     times = tuple(range(LONGEST_S + 1))
     for kind, stages in STAGES.items():
-        # One event's way does not depend on how many more might have found room behind it.
+        # One event's wait does not depend on how many others could still have queued behind it.
         ways = checker.check(
             f"wait-{kind}",
             "wait",
@@ -59,7 +59,7 @@ def longer_table(checker: Checker) -> Table:
 def _longer(
     found: Answers, ways: Answers, capacity: int, stages: tuple[int, ...], conversion: float, time_s: int
 ) -> float:
-    """Over all that an event can find when there is room for it."""
+    """Weighted over all queue lengths that an accepted event can find."""
     taken = longer = 0.0
     for ahead in range(capacity):
         for stage in stages:

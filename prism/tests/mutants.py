@@ -1,4 +1,4 @@
-"""Small changes to a model or properties file, one at a time, such as a slip of the pen would make."""
+"""Small changes to a model or properties file, one at a time, like typing errors."""
 
 import re
 from collections.abc import Iterator
@@ -9,10 +9,10 @@ _COMMAND = re.compile(r"\[(?P<label>\w*)](?P<guard>[^;]*?)->(?:(?P<rate>[^;:()']
 _REWARD = re.compile(r"^ +(?:\[\w+] +)?[^;:>]+ : (?!bool|\[)[^;>]+;$", re.MULTILINE)
 _REWARD_NAME = re.compile(r'(?<=R\{")\w+')
 _NUMBER = re.compile(r"(?<![\w.'])(?:\d+\.\d+|\d+)(?![\w.])")
-# A rate or a reward, which need not be whole.
+# A rate or a reward, which need not be an integer.
 _MEASURE = re.compile(r"(?:const double \w+ = | : )([\d.]+)[/;]")
 
-# What stands in the text, and what takes its place.
+# A text and its replacement.
 _WORDS = (
     (re.compile(r"\btrue\b"), "false"),
     (re.compile(r"\bfalse\b"), "true"),
@@ -34,7 +34,7 @@ _WORDS = (
 
 @dataclass(frozen=True)
 class Mutant:
-    """A file with one change: the line that it is in, what stood there, and what stands there instead."""
+    """A file with one change: its line, the original text, and the replacement."""
 
     text: str
     line: int
@@ -47,7 +47,7 @@ class Mutant:
 
 
 def mutants(text: str) -> Iterator[Mutant]:
-    """Every mutant that this file knows; comments are left alone, and some mutants mean the same as the original."""
+    """All mutants of a text; comments are left unchanged, and some mutants are equivalent to the original."""
     bare = _COMMENT.sub(lambda comment: " " * len(comment[0]), text)
     seen = {_squeezed(text)}
     for start, end, new in _changes(bare):

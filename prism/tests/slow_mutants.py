@@ -1,4 +1,4 @@
-"""No change to a model goes unnoticed: each mutant of each file breaks a pinned value, or it is said why it cannot."""
+"""No change to a model goes unnoticed: each mutant of each file breaks a pinned value, or there is a stated reason why it cannot."""
 
 import shutil
 import tempfile
@@ -42,5 +42,5 @@ class MutantsTest(unittest.TestCase):
             with mock.patch.object(checking, "MODELS", Path(folder)):
                 try:
                     return not all(one.holds() for one in pinned.check(Storm(), pinned.pins(path.stem)))
-                except (Problem, KeyError):  # it cannot be read, built or answered
+                except (Problem, KeyError):  # it cannot be read, built or checked
                     return True

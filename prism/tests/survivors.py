@@ -1,4 +1,4 @@
-"""Why some mutants change no value: what they change never comes about, or means the same."""
+"""Why some mutants change no value: what they change never occurs, or is equivalent."""
 
 import re
 from dataclasses import dataclass
@@ -8,7 +8,7 @@ from tests.mutants import Mutant
 
 @dataclass(frozen=True)
 class Survivor:
-    """Mutants that survive with good reason: those of these files whose line and change match."""
+    """Mutants that survive for a good reason: those of these files whose line and change match."""
 
     files: str
     line: str

@@ -1,4 +1,4 @@
-"""What the command line says to wrong usage."""
+"""The command line's messages about wrong usage."""
 
 import contextlib
 import io

@@ -1,4 +1,4 @@
-"""When a measurement says that converter and model differ, and when it is chance."""
+"""When a measurement shows that converter and model differ, and when it is chance."""
 
 import tempfile
 import unittest
@@ -12,7 +12,7 @@ from study.problem import Problem
 
 
 def _off(errors: float, quantity: str = "wait_s") -> Comparison:
-    """A comparison whose measurement is so many standard errors off."""
+    """A comparison whose measurement is this many standard errors off."""
     return Comparison(MODES[0], POINTS[0], 1, quantity, 0, Estimate(2500, 1 + 0.01 * errors, 0.01), 1.0)
 
 

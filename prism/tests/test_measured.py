@@ -1,4 +1,4 @@
-"""Benchmark results as they are kept, and as they should not be."""
+"""Benchmark results, valid and invalid."""
 
 import json
 import tempfile

@@ -1,4 +1,4 @@
-"""Small computations of the study's own."""
+"""The study's own small computations."""
 
 import tempfile
 import unittest
@@ -16,7 +16,7 @@ class NumbersTest(unittest.TestCase):
             root(lambda x: x + 1, 0, 1, 1e-7)
 
     def test_knows_students_distribution(self) -> None:
-        # From tables.
+        # From published tables.
         for degrees, quantile in ((30, 2.750), (99, 2.626), (1000, 2.581)):
             self.assertAlmostEqual(student(degrees), quantile, places=3)
 

@@ -29,7 +29,7 @@ class PhasesTest(unittest.TestCase):
         self.assertEqual((exponential.mean, exponential.variation), (3.0, 1.0))
         self.assertAlmostEqual(exponential.over(3.0), math.exp(-1))
         self.assertAlmostEqual(Phases(4, 1.0, 0.0, 1.0).variation, 0.25)
-        # Half of them 1, half of them 1 and 3: the sum of the probabilities to last longer, times the step, is the mean.
+        # Half of them last 1, half 1 and 3: the sum of the probabilities of lasting longer, times the step, is the mean.
         mixed = Phases(1, 1.0, 0.5, 3.0)
         step = 0.001
         times = [step * (index + 0.5) for index in range(80_000)]

@@ -1,4 +1,4 @@
-"""What is pinned, and that a slip in a model is told by name."""
+"""The pinned values, and that an error in a model is reported by name."""
 
 import shutil
 import tempfile

@@ -1,4 +1,4 @@
-"""What is measured, and how the experiment is told."""
+"""The measured points, and how they are passed to the experiment."""
 
 import unittest
 

@@ -1,4 +1,4 @@
-"""PRISM is not part of the set-up: what is tested is what it is told, and how its log is read."""
+"""PRISM need not be installed: these tests cover its command line and the parsing of its log."""
 
 import os
 import stat

@@ -1,4 +1,4 @@
-"""The proof's tools; and that the specification does what the core does, where Spin is installed."""
+"""The proof's tools, and, where Spin is installed, that the specification does what the core does."""
 
 import os
 import shutil
@@ -80,7 +80,7 @@ class SpinTest(unittest.TestCase):
     @unittest.skipUnless(_HAS_SPIN, "needs Spin")
     def test_the_specification_goes_the_way_of_a_recorded_run(self) -> None:
         told = (_GOLDEN / "bulb.recorded.txt").read_text(encoding="utf-8")
-        # The program's queue has as much room as LoopConfig gives it.
+        # The program's queue has LoopConfig's default capacity.
         roomy = self._tables(plan.BULB).replace("#define CAPACITY 2", "#define CAPACITY 8")
         with tempfile.TemporaryDirectory() as folder:
             inputs, difference = script.accepted(Path(folder), roomy, told)

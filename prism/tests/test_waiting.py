@@ -1,4 +1,4 @@
-"""Two ways to the waiting time must meet."""
+"""Two ways of computing the waiting time must agree."""
 
 import unittest
 
@@ -16,7 +16,7 @@ class WaitingTest(unittest.TestCase):
                 little = waiting.mean_wait_s(storm.check(f"fifo-{kind}", "waiting", constants))
                 places = {"found_waiting": (0, 1, 2), "found_stage": stages}
                 found = storm.check(f"fifo-{kind}", "found", {**constants, **places})
-                # Simpson's rule over the probability to wait longer than t; beyond 40 s nothing is left.
+                # Simpson's rule over the probability of waiting longer than t, which is negligible beyond 40 s.
                 steps, width = 1600, 40 / 1600
                 times = tuple(round(index * width, 6) for index in range(steps + 1))
                 asked = {"conversion": 0.5, "ahead": (0, 1), "stage": stages, "t": times}

@@ -1,4 +1,4 @@
-"""What the tests of all clients share: a robot for each test, and how it must move when it is told to."""
+"""Shared by the tests of all clients: a robot for each test, and checks of its movements."""
 
 from __future__ import annotations
 
@@ -9,33 +9,33 @@ from simulated_roomba import SimulatedRoomba, State
 
 BATTERY_PERCENT = 50
 VOLTAGE_MILLI_VOLTS = 14_800
-"""Of the half-full battery, in the middle of its 13.2 to 16.4 V."""
+"""The voltage of the half-full battery, in the middle of its 13.2 to 16.4 V."""
 VOLTAGE_TOLERANCE_MILLI_VOLTS = 20
 
 MM_PER_COUNT = math.pi * 72.0 / 508.8
-"""Of a wheel's encoder (specification, "Left Encoder Counts")."""
+"""The distance per count of a wheel's encoder (specification, "Left Encoder Counts")."""
 
 WHEEL_BASE_MM = 235.0
 
 SPEED_STEP_MM_PER_S = 28.5
-"""The wheels know no speeds between (specification, "Drive"), so what they do is off by up to half of it."""
+"""The wheels' speeds are multiples of this (specification, "Drive"), so a speed is off by up to half of it."""
 
 TICK_MILLIS = 15
 SPEEDING_UP_MILLIS = 100
 
 PRESS_MILLIS = 1500
-"""Far longer than a client needs to ask."""
+"""Far longer than a client needs for a query."""
 
 WALLED_ROOM = "wall 0 0 4000 4000\nstart 2000 2000 0\n"
 BEFORE_RIGHT_BUMP = (3700, 2000, 40)
 BEFORE_LEFT_BUMP = (3700, 2000, -40)
-"""X, Y and heading short of a wall, which a robot that drives on meets with that side of its bumper."""
+"""X, Y and heading in front of a wall, which a robot driving straight on hits with that side of its bumper."""
 
 MODES = {"off": 0, "passive": 1, "safe": 2, "full": 3}
 
 
 class InteropCase(unittest.TestCase):
-    """A simulated robot, new for each test."""
+    """A test with a new simulated robot."""
 
     roomba: SimulatedRoomba
 
@@ -56,7 +56,7 @@ class InteropCase(unittest.TestCase):
         self.assertAlmostEqual(milli_volts, VOLTAGE_MILLI_VOLTS, delta=VOLTAGE_TOLERANCE_MILLI_VOLTS)
 
     def assert_drives(self, right_mm_per_s: float, left_mm_per_s: float) -> None:
-        """The wheels turn as told, and in the next second of robot time the robot comes to where that leads."""
+        """Asserts that the wheels turn as commanded, and the robot is where that leads after a second of robot time."""
 
         def is_as_told(state: State) -> bool:
             return (
@@ -82,10 +82,10 @@ class InteropCase(unittest.TestCase):
 
 
 def travelled_mm(before: State, after: State) -> float:
-    """As the crow flies."""
+    """The distance in a straight line."""
     return math.hypot(after.x_mm - before.x_mm, after.y_mm - before.y_mm)
 
 
 def counts_between(earlier: int, later: int) -> int:
-    """Encoders go round after 16 bits; whether they are read with a sign or without makes no difference here."""
+    """Encoders overflow after 16 bits; whether they are read as signed or unsigned makes no difference here."""
     return (later - earlier + 0x8000) % 0x10000 - 0x8000

@@ -1,4 +1,4 @@
-"""The simulated Roomba as a process of its own, and the truth about it."""
+"""The simulated Roomba as a process of its own, and its true state."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from pathlib import Path
 JAR = Path(__file__).resolve().parents[1] / "target" / "roomba-converter.jar"
 
 ANSWER_LIMIT_S = 20.0
-"""For a slow machine: nothing takes nearly as long."""
+"""Generous for slow machines: nothing takes nearly as long."""
 
 POLL_S = 0.01
 
 
 @dataclass(frozen=True)
 class State:
-    """What the robot truly is and does, whatever its sensors tell."""
+    """The robot's true state, whatever its sensors report."""
 
     time_millis: int
     activity: str
@@ -63,7 +63,7 @@ class State:
 
 
 class SimulatedRoomba:
-    """A robot at a pseudo-terminal, from when it is made until it is closed."""
+    """A robot on a pseudo-terminal, which exists until it is closed."""
 
     def __init__(self, room: str, battery_percent: int) -> None:
         """
@@ -118,7 +118,7 @@ class SimulatedRoomba:
         return State.parse(self._ask("state"))
 
     def wait_until(self, what: str, is_so: Callable[[State], bool]) -> State:
-        """Returns the first state of which this is so; an AssertionError if none comes."""
+        """Returns the first state for which this is true; raises an AssertionError if there is none in time."""
         deadline_s = time.monotonic() + ANSWER_LIMIT_S
         state = self.state()
         while not is_so(state):
@@ -134,7 +134,7 @@ class SimulatedRoomba:
         return self.wait_until(f"{millis} ms have passed", lambda state: state.time_millis >= end_millis)
 
     def close(self) -> None:
-        """Ends the process; closing its input alone would not."""
+        """Ends the process; just closing its input would not."""
         self._process.terminate()
         try:
             self._process.wait(ANSWER_LIMIT_S)

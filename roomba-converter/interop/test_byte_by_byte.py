@@ -1,4 +1,4 @@
-"""A client that writes one byte at a time and pauses after each, as a slow microcontroller or a shell script does."""
+"""A client that writes one byte at a time and pauses after each, like a slow microcontroller or a shell script."""
 
 from __future__ import annotations
 

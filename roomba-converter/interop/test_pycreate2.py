@@ -1,13 +1,13 @@
 """pycreate2 drives the robot.
 
-Its own bugs, and how these tests get around them:
+Its bugs, and how these tests work around them:
 
-- It names bumps and wheel drops of the left side right, and the other way round: `bumps` turns them back.
-- Its overcurrents' bits are not the specification's: they are only looked at where none is set.
-- `getMode` uses an opcode that it does not define: the mode is taken from `get_sensors`.
-- `wake` needs a port with RTS and DTR, which a pseudo-terminal is not: unused.
-- It takes the unused packets 32 and 33 for three bytes each; they have one and two.
-- It has no methods for cleaning: their opcodes go through its serial interface.
+- It swaps left and right bumps and wheel drops: `bumps` swaps them back.
+- Its overcurrent bits differ from the specification: they are only checked where none is set.
+- `getMode` uses an undefined opcode: the mode is taken from `get_sensors`.
+- `wake` needs a port with RTS and DTR, which a pseudo-terminal does not have: unused.
+- It reads three bytes each for the unused packets 32 and 33; they have one and two.
+- It has no methods for cleaning: the opcodes are sent through its serial interface.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ class PyCreate2Test(InteropCase):
         return self.client
 
     def close(self) -> None:
-        """It leaves the robot when nothing refers to it any more."""
+        """The client releases the port when it is garbage collected."""
         self.client = None
 
     def test_modes_are_as_told(self) -> None:
@@ -177,7 +177,7 @@ class PyCreate2Test(InteropCase):
 
     def test_reset_tells_its_boot_text(self) -> None:
         self.create2.safe()
-        # It reads for 2 s, and the robot boots for 4.
+        # The client reads for 2 s, and the robot takes 4 s to boot.
         self.assertEqual(self.create2.reset(), b"Soft reset!\r\n")
         self.wait_for_mode("off")
         self.create2.start()

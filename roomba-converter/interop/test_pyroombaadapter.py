@@ -1,11 +1,11 @@
 """PyRoombaAdapter drives the robot.
 
-Its own bugs, and how these tests get around them:
+Its bugs, and how these tests work around them:
 
-- It has no straight: the radius that means it is cut to 2000 mm, so `move` straight on is a wide circle to the left.
+- It cannot drive straight: the radius that means straight is limited to 2000 mm, so `move` drives a wide circle to the left.
   The tests drive straight by `send_drive_direct`.
-- `request_data` sends Start, which ends Safe mode, and only prints one byte: unused. Packets that have no method of
-  their own are asked for by `_request_sensor`.
+- `request_data` sends Start, which ends Safe mode, and only prints one byte: unused. Packets without a method are
+  requested with `_request_sensor`.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ class PyRoombaAdapterTest(InteropCase):
         return self.client
 
     def close(self) -> None:
-        """It leaves the robot when nothing refers to it any more."""
+        """The client releases the port when it is garbage collected."""
         self.client = None
 
     def test_modes_are_as_told(self) -> None:

@@ -1,7 +1,7 @@
-"""What reelay and RTAMT say of traces: a line "FIRST FIRST" each, where each has first seen a violation, or -1.
+"""Checks traces with reelay and RTAMT: prints a line "FIRST FIRST" for each, the moments of the first violations, or -1.
 
-A line of the input is a form, its length of time and the moments, one a tick: a digit whose bit 0 is the subject and bit 1 the other.
-In the formulas, f and g are these, b is where the subject begins and e where it ends.
+A line of the input is a form, its duration and the moments, one digit per tick: bit 0 is the subject and bit 1 the other.
+In the formulas, f and g are these two; b is true where the subject begins and e where it ends.
 """
 
 import itertools
@@ -11,7 +11,7 @@ from collections.abc import Callable
 import reelay
 import rtamt
 
-# A violation, seen from its moment back: reelay knows no other direction.
+# A violation in terms of its past: reelay supports no other direction.
 _PAST = {
     "response": "(once[{d}:{d}] {{b}}) and not (once[0:{d}] {{g}})",
     "longest": "(once[{d}:{d}] {{b}}) and (historically[0:{d}] {{f}})",
@@ -20,7 +20,7 @@ _PAST = {
     "count": "{{b}} and (once[1:{d}] {{b}})",
 }
 
-# What must hold at each moment, for RTAMT. Its own translation of the future into the past is later than need be.
+# What must hold at each moment, for RTAMT. Its own translation of future into past operators detects violations too late.
 _KEPT = {
     "response": "(once[{d}:{d}] (b>=0.5)) implies (once[0:{d}] (g>=0.5))",
     "longest": "(once[{d}:{d}] (b>=0.5)) implies (once[0:{d}] (f<0.5))",
@@ -57,7 +57,7 @@ def rtamt_monitor(form: str, length: int) -> Callable[[dict[str, bool]], bool]:
 
 
 def first(violated: Callable[[dict[str, bool]], bool], trace: list[dict[str, bool]], length: int) -> int:
-    """Where the first violation is; then nothing happens for so long that nothing of the trace is remembered."""
+    """The moment of the first violation; afterwards feeds empty moments until nothing of the trace is remembered."""
     seen = [violated(moment) for moment in trace]
     for _ in range(length + 2):
         violated(_NOTHING)

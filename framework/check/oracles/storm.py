@@ -1,4 +1,4 @@
-"""Says of each model in a directory whether its label "bad" can be reached: a line "NAME holds" or "NAME fails" each."""
+"""Checks for each model in a directory whether its label "bad" can be reached: prints a line "NAME holds" or "NAME fails"."""
 
 import sys
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""A broker, the real Home Assistant and Evoloop's programs, as processes of a test."""
+"""A broker, the real Home Assistant and Evoloop's programs, as a test's processes."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ PROJECT = Path(__file__).resolve().parents[3]
 ROOT = Path(os.environ.get("EVOLOOP_HOME_ASSISTANT", PROJECT / "target/home-assistant-root"))
 BROKER = shutil.which("mosquitto", path=os.environ["PATH"] + ":/usr/sbin") or "mosquitto"
 PATIENCE_S = 120
-# The first start fetches what the integrations need.
+# The first start downloads what the integrations need.
 INSTALLATION_S = 900
 
 CONFIGURATION = """
@@ -60,10 +60,10 @@ def program(jar: str, *options: str) -> list[str]:
 
 
 class House:
-    """What is in a house with one broker that forgets everything when it ends."""
+    """A house with one broker, which loses everything when it ends."""
 
     def __init__(self, folder: Path, extra: str = "") -> None:
-        """extra: what else there is in Home Assistant's configuration, in YAML."""
+        """extra: more of Home Assistant's configuration, in YAML."""
         self.folder = folder
         self.extra = extra
         self.port = free_port()
@@ -125,14 +125,14 @@ class House:
         self.stop("broker", signal.SIGKILL)
 
     def start_home_assistant_twice(self) -> None:
-        """The first start only installs what the integrations need; the second one's triggers know MQTT."""
+        """The first start only installs what the integrations need; MQTT triggers work from the second one on."""
         self.start_home_assistant(INSTALLATION_S)
         self.stop("home-assistant")
         (self.folder / "home-assistant.log").unlink()
         self.start_home_assistant()
 
     def start_programs(self) -> None:
-        """The light bulb and a simulated Roomba, at five times its speed."""
+        """Starts the light bulb and a simulated Roomba, at five times its speed."""
         url = f"mqtt://127.0.0.1:{self.port}"
         self.start("lamp", program("lightbulb-example/target/lightbulb-example.jar", "--mqtt", url))
         self.start(
@@ -141,7 +141,7 @@ class House:
 
     def start_home_assistant(self, limit_s: int = PATIENCE_S) -> None:
         self.newest.pop("homeassistant/status", None)
-        # /proc is there for this process only, so nothing stays mounted.
+        # /proc exists for this process only, so nothing stays mounted.
         inside = 'mount -t proc proc "$0/proc" && exec chroot "$0" /venv/bin/hass -c /config'
         self.start("home-assistant", ["unshare", "--mount", "sh", "-c", inside, str(ROOT)])
         self.wait("Home Assistant's birth", lambda: self.newest.get("homeassistant/status") == "online", limit_s)
@@ -153,7 +153,7 @@ class House:
         subprocess.run(["mosquitto_pub", "-p", str(self.port), "-t", topic, "-m", payload], check=True)
 
     def shown(self, entity: str) -> str:
-        """What Home Assistant has shown lately; it is asked again."""
+        """What Home Assistant shows now, by a new request."""
         self.publish("test/ask", entity)
         return self.newest.pop(f"test/told/{entity}", "")
 
@@ -168,13 +168,13 @@ class House:
             time.sleep(0.05)
 
     def warnings(self) -> list[str]:
-        """What Home Assistant has against what was published."""
+        """Home Assistant's warnings about what was published."""
         lines = (self.folder / "home-assistant.log").read_text(errors="replace").splitlines()
         return [line for line in lines if (" WARNING " in line or " ERROR " in line) and self._concerns(line)]
 
     @staticmethod
     def _concerns(line: str) -> bool:
-        # Home Assistant's own trouble with its broker, which the test ends, is no warning of ours.
+        # Warnings about the broker, which the test stops, do not count.
         return "evoloop" in line.lower() or ("mqtt" in line and "onnect" not in line and "No ACK" not in line)
 
     def close(self) -> None:

@@ -18,13 +18,13 @@ from playwright.sync_api import Page as Tab
 from playwright.sync_api import sync_playwright
 
 BROWSERS = ("chromium-headless-shell", "chromium")
-# Home Assistant writes down what it has found 10 s later.
+# Home Assistant saves what it has discovered 10 s later.
 REGISTRY_S = 60
 SIZE = {"width": 1280, "height": 1120}
 
 
 def configuration(port: int) -> str:
-    """A page that asks nobody on this computer who he is."""
+    """The configuration, in which clients on this computer need not log in."""
     return f"""
 homeassistant:
   name: Home
@@ -57,7 +57,7 @@ class Page:
             return dict(json.load(answer) or {})
 
     def onboard(self) -> None:
-        """Answers what Home Assistant asks its owner first."""
+        """Completes Home Assistant's first-run dialogs."""
         client = {"client_id": self.url}
         owner = {"name": "Owner", "username": "owner", "password": "owner of the house", "language": "en"}
         code = self.post("api/onboarding/users", json.dumps(client | owner).encode(), "application/json")["auth_code"]
@@ -72,7 +72,7 @@ class Page:
             self.post(f"api/onboarding/{step}", json.dumps(answer).encode(), "application/json")
 
     def take(self, tab: Tab, path: str, last: str, picture: Path) -> None:
-        """last: a text that is shown when all is."""
+        """last: a text that appears last."""
         tab.goto(self.url + path)
         tab.get_by_text(last).first.wait_for()
         tab.screenshot(path=picture, animations="disabled")

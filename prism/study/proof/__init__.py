@@ -1,1 +1,1 @@
-"""The design, proved: the specification in prism/proof, checked by Spin."""
+"""The proof of the design: the specification in prism/proof, checked by Spin."""

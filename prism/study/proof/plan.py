@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 CLOCKWORK = ("drains", "swaps")
-"""Properties of liveness, which Spin checks under weak fairness."""
+"""Liveness properties, which Spin checks under weak fairness."""
 
 PROPERTIES = {
     "record": "the record says where the device is, whenever nothing is on its way and no doubt is declared",
@@ -16,12 +16,12 @@ PROPERTIES = {
     "swaps": "a swap ends: it is done, or given up",
 }
 NUMBERS = ("", "record", "once", "visit", "again", "sent", "stuck")
-"""As prism/proof/core.pml numbers them."""
+"""The properties, by their numbers in prism/proof/core.pml."""
 
 
 @dataclass(frozen=True)
 class Pair:
-    """Two models, the new one that may take over, and what the program that converts adds to them."""
+    """Two models, the new models that may replace them, and what the converter's program adds."""
 
     name: str
     key: str
@@ -92,7 +92,7 @@ LIVE_SCENES: tuple[tuple[str, Acts], ...] = (
 
 @dataclass(frozen=True)
 class Adapter:
-    """How well a device can be known."""
+    """What an adapter reveals about its device."""
 
     name: str
     meaning: str
@@ -111,7 +111,7 @@ ADAPTERS = (BEST, WORST)
 
 @dataclass(frozen=True)
 class Mutant:
-    """A mechanism that is taken out, where, and what fails then."""
+    """A removed mechanism, the scene, and what then fails."""
 
     name: str
     mechanism: str
@@ -154,7 +154,7 @@ PAPER: tuple[tuple[str, Acts], ...] = (
     ("drains", {"PRESSES": 2}),
     ("swaps", {"PRESSES": 2, "SWAPS": 1}),
 )
-"""What the paper's mechanism is asked; the other properties are about mechanisms that it does not have."""
+"""The properties checked for the paper's mechanism; the others are about mechanisms that it does not have."""
 
 
 def words(acts: Acts) -> str:

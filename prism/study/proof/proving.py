@@ -12,7 +12,7 @@ from study.proof.plan import Pair
 from study.proof.spin import Result
 from study.tables import Table
 
-Tell = Callable[[str], None]
+Progress = Callable[[str], None]
 _Compare = Callable[[Path, Pair, int, int], tuple[int, str]]
 _TRACES = 300
 _RUNS = 30
@@ -24,14 +24,14 @@ class _Task:
     run: Callable[[], None]
 
 
-def prove(results: Path, tell: Tell) -> list[str]:
-    """Writes proof*.csv and the trails' diagrams to `results`; returns what does not hold, nothing if all is well."""
+def prove(results: Path, progress: Progress) -> list[str]:
+    """Writes proof*.csv and the trails' diagrams to `results`; returns what does not hold, which is empty if everything does."""
     spin.require()
-    tell("the design, proved: tables from the model files")
+    progress("the design, proved: tables from the model files")
     promela = {pair.key: tables.of(pair) for pair in plan.PAIRS}
     proof = _Proof(promela, results)
     tasks = [*proof.searches(), *proof.mutants(), *proof.papers(), *proof.conformance()]
-    tell(f"Spin: {len(tasks)} checks")
+    progress(f"Spin: {len(tasks)} checks")
     pool = ThreadPoolExecutor(os.cpu_count() or 1)
     try:
         for done, _ in enumerate(pool.map(lambda task: task.run(), tasks), start=1):
@@ -44,7 +44,7 @@ def prove(results: Path, tell: Tell) -> list[str]:
 
 
 def _progress(text: str) -> None:
-    """On a terminal, one line that says how far the proof is."""
+    """On a terminal, one line that shows the progress of the proof."""
     if sys.stderr.isatty():
         print(f"\r\033[K{text[:78]}", end="", file=sys.stderr, flush=True)
 

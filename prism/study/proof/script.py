@@ -1,4 +1,4 @@
-"""Conformance: what the real core does on random inputs and in recorded runs, the specification does, too."""
+"""Conformance: on random inputs and in recorded runs, the specification does what the real core does."""
 
 import shutil
 from pathlib import Path
@@ -18,14 +18,14 @@ def compare(folder: Path, pair: Pair, traces: int, seed: int, length: int = 90) 
 
 
 def compare_runs(folder: Path, pair: Pair, runs: int, seed: int, acts: int = 120) -> tuple[int, str]:
-    """The same for runs of the whole converter, with its threads, as their journals tell them."""
+    """The same for runs of the whole converter with threads, as recorded in their journals."""
     shutil.rmtree(folder / "runs", ignore_errors=True)
     options = ("--record", str(folder / "runs"), "--traces", str(runs), "--seed", str(seed), "--length", str(acts))
     return accepted(folder, tables.of(pair), tables.java(pair, *options))
 
 
 def accepted(folder: Path, promela: str, told: str) -> tuple[int, str]:
-    """The same for a trace that is at hand: lines with inputs, each followed by what the core knew then."""
+    """The same for a given trace: lines with inputs, each followed by what the core then knew."""
     inputs = [line[2:] for line in told.splitlines() if line.startswith("> ")]
     core = [line for line in told.splitlines() if line.startswith("= ")]
     return _compared(inputs, core, _simulate(folder, promela, inputs))

@@ -1,4 +1,4 @@
-"""A trail of Spin as a sequence diagram."""
+"""A Spin trail as a sequence diagram."""
 
 import re
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ _WIDTH = 680
 
 @dataclass(frozen=True)
 class Names:
-    """What the numbers of a specification mean."""
+    """The meaning of the numbers in a specification."""
 
     device: dict[int, str]
     system: dict[int, str]
@@ -37,7 +37,7 @@ class _Line:
 
 
 def steps(trail: str) -> int:
-    """How many things happen in it."""
+    """The number of steps in it."""
     return sum(1 for line in trail.splitlines() if line.startswith("= "))
 
 

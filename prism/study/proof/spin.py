@@ -1,4 +1,4 @@
-"""Spin, as a tool: it writes a verifier in C, and gcc compiles that."""
+"""Runs Spin, which writes a verifier in C that gcc compiles."""
 
 import re
 import shutil
@@ -24,13 +24,13 @@ class Result:
     memory_mb: float
     seconds: float
     broken: str
-    """The property that does not hold; empty if none was found that does not."""
+    """The property that was found violated; empty if none was."""
     trail: str
-    """What happens up to there."""
+    """The steps up to the violation."""
 
 
 def require() -> None:
-    """@raises Problem if Spin or the compiler is not there."""
+    """@raises Problem if Spin or the compiler is missing."""
     missing = [tool for tool in ("spin", "gcc") if shutil.which(tool) is None]
     if missing:
         raise Problem(
@@ -40,7 +40,7 @@ def require() -> None:
 
 
 def search(folder: Path, tables: str, acts: Acts, definitions: tuple[str, ...], only: str = "") -> Result:
-    """Checks the specification in every interleaving: all properties of safety, or the one that is named."""
+    """Checks the specification in every interleaving: all safety properties, or the named one."""
     prepare(folder, tables)
     live = only in CLOCKWORK
     defined = [*_SIZES, *(f"-D{act}={acts.get(act, 0)}" for act in ACTS), *definitions]
@@ -48,8 +48,8 @@ def search(folder: Path, tables: str, acts: Acts, definitions: tuple[str, ...], 
         defined.append(f"-DONLY={NUMBERS.index(only) if only in NUMBERS else 99}")
     call(["spin", *defined, "-a", "proof.pml"], folder)
     kept = ["-DNFAIR=4"] if live else ["-DSAFETY", "-DNOCLAIM", "-DREACH"]
-    # COLLAPSE keeps whole states, only shorter; nothing is left to hashing.
-    # What is only looked for is soon found: there the compiler would take longer than the search.
+    # COLLAPSE stores complete states in compressed form, so the search does not depend on hashing.
+    # A violation that is expected is found soon: optimizing would take longer than the search.
     speed = "-O0" if only and not live else "-O1"
     call(["gcc", speed, "-w", "-DCOLLAPSE", f"-DMEMLIM={_MEMORY_MB}", *kept, "-o", "pan", "pan.c"], folder)
     short = ["-i", "-m3000"] if only and not live else ["-m2000000"]

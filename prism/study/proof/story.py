@@ -1,4 +1,4 @@
-"""A trail of Spin as a story in words, which the core's tests read (org.evoloop.core.Trail)."""
+"""A Spin trail as a story in words, which the core's tests read (org.evoloop.core.Trail)."""
 
 from study.proof.sequence import Names
 
@@ -7,7 +7,7 @@ _DOUBTS = ("sure", "doubt", "settled")
 
 
 def write(trail: str, names: Names) -> str:
-    """One input a line, and after each what the core knows then."""
+    """One input per line, each followed by what the core then knows."""
     lines: list[str] = []
     numbers: dict[str, int] = {}
     observed = 0
@@ -83,7 +83,7 @@ _WITHOUT_ARGUMENTS = {
 
 
 def read(line: str, names: Names) -> str:
-    """An input in words, as prism/proof/script.pml takes it."""
+    """An input in words, in the form that prism/proof/script.pml reads."""
     kind, *rest = line.split()
     if kind in _WITHOUT_ARGUMENTS:
         return _filled(_WITHOUT_ARGUMENTS[kind])

@@ -1,4 +1,4 @@
-"""The tables of models, as the Java program compiles them from the model files."""
+"""The decision tables of models, as the Java program compiles them from the model files."""
 
 import shutil
 import subprocess

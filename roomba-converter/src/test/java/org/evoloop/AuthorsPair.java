@@ -5,8 +5,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * The cleaning robot as the paper's authors have drawn it: their new states are called otherwise than ours, and the
- * second press is waited for by a time trigger of the model, which Astah writes with its brackets encoded.
+ * The cleaning robot as drawn by the paper's authors: their new states have different names from ours, and a time
+ * trigger in the model limits the wait for the second press; Astah writes it with encoded brackets.
  */
 public final class AuthorsPair {
     private AuthorsPair() {}

@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.xmi.XmiFile;
 
-/** The models that the project ships, read from their files. */
+/** The project's models, read from their files. */
 public final class PaperPair {
     private PaperPair() {}
 

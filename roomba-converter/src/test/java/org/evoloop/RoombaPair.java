@@ -8,7 +8,7 @@ import org.evoloop.xmi.XmiFile;
 public final class RoombaPair {
     private RoombaPair() {}
 
-    /** Its evolution of this name. */
+    /** The evolution with this name. */
     public static ModelPair of(String evolution) {
         XmiFile file = XmiFile.read(Path.of(System.getProperty("evoloop.root"), "models", "roomba.xml"));
         return new ModelPair(file.pick("original"), file.pick(evolution));

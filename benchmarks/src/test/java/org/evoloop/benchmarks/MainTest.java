@@ -24,7 +24,7 @@ class MainTest {
         assertThat(errors.toString()).contains("--slowly").contains("./evoloop bench --help");
     }
 
-    /** It is shown by ./evoloop, which then has nothing to build. */
+    /** ./evoloop prints this file, so that it need not build anything for the help. */
     @Test
     void theHelpThatNeedsNoBuildIsThatOfTheProgram() {
         assertThat(Path.of(System.getProperty("evoloop.root"), "benchmarks", "help.txt"))

@@ -24,7 +24,7 @@ public final class Main {
     static CommandLine commandLine() {
         CommandLine line = new CommandLine(new Programs());
         line.getCommandSpec().name("evoloop");
-        return UsersMistakes.toldBy(line, Main::isUsersMistake);
+        return UsersMistakes.reportedBy(line, Main::isUsersMistake);
     }
 
     private static boolean isUsersMistake(Exception failure) {

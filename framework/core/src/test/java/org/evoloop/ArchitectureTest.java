@@ -27,8 +27,7 @@ import java.util.Timer;
 import java.util.UUID;
 
 /**
- * The rooms of the core module and the arrows between them; what the modules may use of each other is in their
- * module-info.
+ * The packages of the core module and the dependencies allowed between them; those between modules are in module-info.
  */
 @AnalyzeClasses(packages = "org.evoloop", importOptions = ImportOption.DoNotIncludeTests.class)
 class ArchitectureTest {
@@ -101,7 +100,10 @@ class ArchitectureTest {
             .dependOnClassesThat()
             .areAssignableTo(Thread.class);
 
-    /** The same inputs give the same outputs: nothing in it waits, looks at a clock, throws dice or tells anybody. */
+    /**
+     * The same inputs give the same outputs: nothing in it waits, reads a clock, uses random numbers or notifies
+     * anyone.
+     */
     @ArchTest
     static final ArchRule theCoreIsDeterministic = noClasses()
             .that(resideInAPackage("org.evoloop.core.."))
@@ -137,7 +139,7 @@ class ArchitectureTest {
             .callMethod(System.class, "identityHashCode", Object.class)
             .orShould(haveStaticState());
 
-    /** Static state would make two cores side by side one. */
+    /** With static state, two cores in one process would affect each other. */
     private static ArchCondition<JavaClass> haveStaticState() {
         return new ArchCondition<>("have static fields that are not final") {
             @Override
@@ -151,7 +153,7 @@ class ArchitectureTest {
         };
     }
 
-    /** How long a thread really waits is no time of the converter, and has the loop's own room. */
+    /** How long a thread really waits is not the converter's time, so it belongs to the loop's own package. */
     @ArchTest
     static final ArchRule timeIsInjected = noClasses()
             .that(resideInAPackage("org.evoloop..")

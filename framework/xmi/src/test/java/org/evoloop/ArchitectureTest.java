@@ -10,7 +10,7 @@ import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.library.dependencies.SlicesRuleDefinition;
 
-/** The rooms of the model readers and the arrows between them. */
+/** The packages of the model readers and the dependencies between them. */
 @AnalyzeClasses(
         packages = {"org.evoloop.statechart", "org.evoloop.xmi"},
         importOptions = ImportOption.DoNotIncludeTests.class)

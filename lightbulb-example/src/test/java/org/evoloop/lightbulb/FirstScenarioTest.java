@@ -6,7 +6,7 @@ import org.evoloop.testkit.ConverterHarness;
 import org.evoloop.xmi.XmiFile;
 import org.junit.jupiter.api.Test;
 
-/** The first test of a converter, as docs/testing.md shows it. */
+/** The first test of a converter, which docs/testing.md shows. */
 class FirstScenarioTest {
     private final XmiFile machines = XmiFile.read(Path.of("../models/light-bulb.xml"));
     private final ModelPair models = new ModelPair(machines.pick("original"), machines.pick("new"));

@@ -9,7 +9,7 @@ import org.evoloop.testkit.ConverterHarness;
 import org.evoloop.xmi.XmiFile;
 import org.junit.jupiter.api.Test;
 
-/** The evolution of the paper's section III, as whoever stands before the lamp sees it. */
+/** The evolution of the paper's section III, as someone in front of the lamp sees it. */
 class LampStoryTest {
     private static final XmiFile MACHINES =
             XmiFile.read(Path.of(System.getProperty("evoloop.root"), "models", "light-bulb.xml"));
@@ -82,7 +82,7 @@ class LampStoryTest {
     }
 
     @Test
-    void stoppedWhileIncandescentItShowsItsOwnLightAndGoesOnWhereItWas() {
+    void stoppedWhileIncandescentItShowsItsOwnLightAndContinuesWhereItWas() {
         for (int press = 0; press < 3; press++) {
             operateSwitch();
         }

@@ -14,11 +14,11 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What the program logs, whose standard error is a file that may be systemd's journal. */
+/** What the program logs if standard error is a file, or systemd's journal. */
 @EnabledOnOs(OS.LINUX)
 @Timeout(60)
 class LogTest {
-    /** Of such a broker the program warns. */
+    /** A broker that the program warns about. */
     private static final String[] UNREACHABLE = {"--mqtt", "mqtt://127.0.0.1:1"};
 
     @TempDir
@@ -49,12 +49,12 @@ class LogTest {
     }
 
     @Test
-    void systemdsJournalIsToldTheLevelOfEachLine() throws Exception {
+    void systemdsJournalGetsTheLevelOfEachLine() throws Exception {
         assertThat(log(true, 0, UNREACHABLE)).isNotEmpty().allMatch(line -> line.startsWith("<4>"));
     }
 
     @Test
-    void aFileIsToldTimeAndLevel() throws Exception {
+    void aFileGetsTimeAndLevel() throws Exception {
         assertThat(log(false, 0, UNREACHABLE)).isNotEmpty().allMatch(line -> line.matches("[0-9:.]{12} WARN  .*"));
     }
 

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The program as a whole, at the other end of pipes. */
+/** The whole program, connected by pipes. */
 @Timeout(60)
 class MainTest {
     private static final File ROOT = new File(System.getProperty("evoloop.root"));
@@ -77,7 +77,7 @@ class MainTest {
             assertThat(readTo(screen, " new_current_state: on"))
                     .containsExactly(
                             "running: original off, new off",
-                            // The lamp itself is first: its event is told when it has been dealt with.
+                            // The lamp comes first: its event is reported after it was processed.
                             "(*) daylight",
                             "----   button_event : switch   -----",
                             "",
@@ -154,7 +154,7 @@ class MainTest {
     }
 
     @Test
-    void aBrokerThatIsNoneIsOneLineOfErrorWithoutItsPassword() throws Exception {
+    void anInvalidBrokerIsOneLineOfErrorWithoutItsPassword() throws Exception {
         assertRefused(program(ROOT, "--mqtt", "broker"), "error: --mqtt: the broker's URL broker names no broker");
         assertRefused(
                 program(ROOT, "--mqtt", "mqtt://ha:s3cret@b"),

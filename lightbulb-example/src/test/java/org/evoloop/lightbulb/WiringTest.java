@@ -25,7 +25,7 @@ import org.evoloop.time.ManualClock;
 import org.evoloop.xmi.XmiFile;
 import org.junit.jupiter.api.Test;
 
-/** The light bulb on Pi4J's mocked pins. */
+/** The light bulb with Pi4J's mocked pins. */
 class WiringTest {
     private final ManualClock clock = new ManualClock();
     private final Context mock = Pi4J.newContextBuilder()

@@ -138,7 +138,7 @@ final class ExecuteCommand extends EventExecute implements SessionListener {
         keepMode(now.original().name());
         if (!SHOWN_BY_CIRCUMSTANCES.contains(now.original().name()) && !session.isUndocking()) {
             // A robot that is lifted or on its dock may not be in the recorded state.
-            session.tellAgain();
+            session.reportAgain();
         }
         if (now.evolved().equals(now.original()) && now.original().name().equals(RobotEvents.STATE_ON)) {
             restLater();

@@ -101,7 +101,7 @@ public final class Main {
 
     private static CommandLine withHandlers(CommandLine commandLine) {
         commandLine.setErr(new PrintWriter(ErrorOutput.stream(), true, Charset.defaultCharset()));
-        return UsersMistakes.toldBy(commandLine.setCaseInsensitiveEnumValuesAllowed(true), Main::isUsersMistake);
+        return UsersMistakes.reportedBy(commandLine.setCaseInsensitiveEnumValuesAllowed(true), Main::isUsersMistake);
     }
 
     /** Whether the user of the program can fix it. */

@@ -68,8 +68,8 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
     @Override
     public void spotEnded(SpotWatch.Ending how) {
         LOG.debug("spot cleaning has ended: {}", how);
-        tell(RobotEvents.END_SPOT);
-        session.tellSoon();
+        pushFromDevice(RobotEvents.END_SPOT);
+        session.reportSoon();
     }
 
     @Override
@@ -77,8 +77,8 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
         String event = change(activity, now);
         activity = now;
         if (known.contains(event)) {
-            tell(event);
-            session.tellSoon();
+            pushFromDevice(event);
+            session.reportSoon();
         } else {
             find(circumstances);
         }
@@ -104,10 +104,10 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
         circumstances = now;
         if (!same) {
             List<String> events = changes(before, now);
-            events.forEach(this::tell);
+            events.forEach(this::pushFromDevice);
             if (known.containsAll(events) && !now.asleep()) {
                 // A finding must not overtake the work that these events start.
-                session.tellSoon();
+                session.reportSoon();
             } else {
                 find(now);
             }
@@ -129,7 +129,7 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
         RobotEvents.stateName(original, activity, now).ifPresent(state -> push(foundIn(state)));
     }
 
-    private void tell(String event) {
+    private void pushFromDevice(String event) {
         if (known.contains(event) && !isBeingMoved()) {
             push(fromDevice(event));
         }

@@ -49,7 +49,7 @@ final class RobotGuard implements GuardedDevice, AutoCloseable {
     /** Wraps the cable so that it sends nothing after the robot has been stopped. */
     IntFunction<Link> cable(IntFunction<Link> cable) {
         return baud -> {
-            GuardedLink opened = new GuardedLink(cable.apply(baud), guard::mayTell);
+            GuardedLink opened = new GuardedLink(cable.apply(baud), guard::maySend);
             link = opened;
             return opened;
         };

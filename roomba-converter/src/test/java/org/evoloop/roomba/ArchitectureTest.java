@@ -18,8 +18,8 @@ import org.evoloop.link.LinkException;
 import org.evoloop.roomba.simulator.SimulatorCommand;
 
 /**
- * The rooms of the application, and what holds in all modules of the Roomba; what the modules may use of each other is
- * in their module-info.
+ * The packages of the application, and rules for all modules of the Roomba; dependencies between modules are in
+ * module-info.
  */
 @AnalyzeClasses(packages = "org.evoloop.roomba", importOptions = ImportOption.DoNotIncludeTests.class)
 class ArchitectureTest {

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The program with a simulated robot at Debian's Mosquitto, operated as Home Assistant does it. */
+/** The program with a simulated robot on Debian's Mosquitto, operated as by Home Assistant. */
 @EnabledOnOs(OS.LINUX)
 @Timeout(180)
 class AtHomeTest {
@@ -54,7 +54,7 @@ class AtHomeTest {
                 assertThat(roomba.waitFor(60, TimeUnit.SECONDS)).isTrue();
             }
             watcher.awaitNewest("evoloop/roomba/availability", "offline");
-            // A computer that is too busy for ten times the speed lets the record come into doubt for a moment.
+            // On a computer too busy for tenfold speed, the recorded state may briefly be in doubt.
             assertThat(Files.readString(log).lines())
                     .noneMatch(line -> line.contains("WARN") && !line.contains("in doubt"))
                     .noneMatch(line -> line.contains("Exception"));

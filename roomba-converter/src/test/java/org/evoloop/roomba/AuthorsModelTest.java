@@ -19,7 +19,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A model as the paper's authors have drawn it drives the robot. */
+/** The robot runs with a model drawn as by the paper's authors. */
 @Timeout(180)
 class AuthorsModelTest {
     @TempDir

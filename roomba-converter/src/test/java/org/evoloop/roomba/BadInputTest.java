@@ -17,7 +17,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What a user can mend is told on standard error, once and clearly; standard output stays empty, the status is 2. */
+/**
+ * An error that the user can fix is reported once and clearly on standard error; standard output stays empty, and the
+ * status is 2.
+ */
 @EnabledOnOs(OS.LINUX)
 @Timeout(180)
 class BadInputTest {
@@ -42,7 +45,7 @@ class BadInputTest {
         assertThat(result.status()).isZero();
     }
 
-    /** In a process of its own each: what they have in common is the way in and the way out. */
+    /** One process each: they share how input is read and errors are reported. */
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
@@ -153,7 +156,7 @@ class BadInputTest {
 
     @Test
     void aNewModelThatAsksForWhatNoEventLeadsTo() throws Exception {
-        // In the file of the models the machine "new" comes second; its transition timeout shall lead to Off.
+        // The machine "new" is the second one in the file; its timeout transition is redirected to Off.
         String text = Files.readString(MODELS);
         int evolved = text.indexOf(MACHINE, text.indexOf(MACHINE) + 1);
         String off = idOf(text, evolved, "name=\"Off\"");

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledIf;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The page in Chromium, of the program at a robot's port with a network camera. */
+/** The page in Chromium; the program has a robot's port and a network camera. */
 @EnabledIf("org.evoloop.page.Browser#isThere")
 @Timeout(180)
 class CameraPageTest {

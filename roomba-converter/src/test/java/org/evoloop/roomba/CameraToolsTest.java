@@ -13,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The commands around the camera, in a process of their own, with OpenCV and without. */
+/** The camera's commands, in processes of their own, with and without OpenCV. */
 @Timeout(180)
 class CameraToolsTest {
     @TempDir
@@ -55,7 +55,7 @@ class CameraToolsTest {
     }
 
     @Test
-    void theCameraCommandTellsWhereTheMarkerIs() throws Exception {
+    void theCameraCommandPrintsWhereTheMarkerIs() throws Exception {
         Scene.write(folder, "%02d.png", Scene.of(new Sighting(1000, 0.2), 1), Scene.of(new Sighting(1000, 0.2), 2));
 
         Program.Result result =
@@ -101,7 +101,7 @@ class CameraToolsTest {
                 "calibrate --images / --board 9 --out c | --board is 9; write inner corners as columns x rows, 3x3 or "
                         + "more, such as 9x6 for a board of 10x7 squares",
             })
-    void mistakesAreToldOnceAndClearly(String arguments, String message) throws Exception {
+    void mistakesAreReportedOnceAndClearly(String arguments, String message) throws Exception {
         Program.Result result = Program.run(folder, arguments.split(" "));
         assertThat(result.err()).isEqualTo("error: " + message + "\n");
         assertThat(result.out()).isEmpty();

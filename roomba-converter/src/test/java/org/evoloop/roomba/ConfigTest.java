@@ -13,7 +13,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The program's options in a file, as its user meets them. */
+/** The program's options in a file, from a user's view. */
 @EnabledOnOs(OS.LINUX)
 @Timeout(180)
 class ConfigTest {

@@ -18,7 +18,7 @@ class ConsoleSessionTest {
     Path folder;
 
     @Test
-    void startsPressesTellsItsStatusAndExits() throws Exception {
+    void startsPressesPrintsItsStatusAndExits() throws Exception {
         Program.Result result = Program.runWithInput(
                 folder, "start\npress clean\nstatus --json\nexit\n", "--simulate", "--speed", "20");
         assertThat(result.err()).isEmpty();
@@ -34,7 +34,7 @@ class ConsoleSessionTest {
     }
 
     @Test
-    void aMistypedCommandIsOneLineOnStandardErrorAndTheConsoleGoesOn() throws Exception {
+    void aMistypedCommandIsOneLineOnStandardErrorAndTheConsoleContinues() throws Exception {
         Program.Result result = Program.runWithInput(
                 folder,
                 "press brush\nrobot place 500 -250.5 90\nrobot dance\nrobot state\nlist\n",

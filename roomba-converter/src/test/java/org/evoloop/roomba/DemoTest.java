@@ -25,7 +25,7 @@ class DemoTest {
     @TempDir
     Path folder;
 
-    /** Without trailing blanks, and with at most one empty line at a time. */
+    /** Without trailing spaces or consecutive empty lines. */
     private static List<String> tidy(String text) {
         List<String> lines = new ArrayList<>();
         for (String line : text.split("\n")) {
@@ -47,8 +47,8 @@ class DemoTest {
     }
 
     /**
-     * What is said of the scenarios. On a computer that is too busy for the demo's speed the simulator complains, too,
-     * and what comes late from the device leaves the record in doubt for a moment.
+     * The errors without two warnings that a computer too busy for the demo's speed may cause: the simulator falls
+     * behind, and late reports of the device leave the recorded state in doubt for a moment.
      */
     private static List<String> said(Program.Result result) {
         return result.err()
@@ -84,7 +84,7 @@ class DemoTest {
         return lines.subList(indexOfThirdEvent(lines), lines.size());
     }
 
-    /** What a run of all scenarios prints of one of them. */
+    /** The part of the output of all scenarios that belongs to one of them. */
     private static List<String> played(String scenario, String out) {
         String header = "=== scenario: " + scenario + "\n";
         assertThat(out).contains(header);

@@ -31,7 +31,7 @@ class DrivenPathTest {
     }
 
     @Test
-    void beforeTheRobotIsHeardOfThereIsNoPicture() {
+    void beforeTheRobotAnswersThereIsNoPicture() {
         assertThat(way.svg(true)).isEmpty();
     }
 
@@ -43,7 +43,7 @@ class DrivenPathTest {
 
         String svg = way.svg(true);
 
-        // 1500 mm are 600 pixels, and 250 mm are free round the way.
+        // 1500 mm are 600 pixels, with a margin of 250 mm round the path.
         assertThat(svg).contains("d=\"M500 500 L500 100 L300 100 L300 100\"");
         assertThat(svg)
                 .contains("<circle class=\"robot\" cx=\"300\" cy=\"100\" r=\"68\"/>")

@@ -27,7 +27,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.extension.RegisterExtension;
 
-/** Effects and what the robot does by itself, in the order in which they happen at a robot on a real serial port. */
+/** Effects and the robot's own acts are reported in the order in which they happen, on a real serial port. */
 @EnabledOnOs(OS.LINUX)
 @Timeout(120)
 class EffectOrderTest {
@@ -101,7 +101,7 @@ class EffectOrderTest {
         hold.await();
         awaitBoth(RobotActivity.ON);
         clock.sleep(STEP_LIMIT.plusSeconds(1));
-        assertThat(doubt()).as("given up, and known all the same").isEmpty();
+        assertThat(doubt()).as("given up, but still known").isEmpty();
         assertThat(record()).isEqualTo(RobotEvents.STATE_ON);
         hold.release();
         roomba.converter().exchange("ExecuteCommand", "ExecuteCommand2");
@@ -110,7 +110,7 @@ class EffectOrderTest {
     }
 
     @Test
-    void aStepOfWhichNobodyKnowsIsSettledByAskingTheRobot() throws Exception {
+    void aStepOfUnknownEffectIsResolvedByAskingTheRobot() throws Exception {
         startCleaning();
         hold.before(Opcode.CLEAN.code());
         roomba.controller().press(RobotEvents.CLEAN);
@@ -155,7 +155,7 @@ class EffectOrderTest {
     }
 
     @Test
-    void whereTheRobotIsIsToldFromItsFramesOrNotAtAll() throws Exception {
+    void theRobotsStateIsReportedFromItsFramesOrNotAtAll() throws Exception {
         ExecuteCommand asked =
                 new ExecuteCommand(roomba.session(), PaperPair.cleaningRobot().original(), clock, new Resumption());
         startCleaning();
@@ -168,6 +168,6 @@ class EffectOrderTest {
         assertThat(asked.locate()).contains(RobotEvents.STATE_SPOT);
         robot.unplug();
         await().atMost(PATIENCE).until(() -> !roomba.session().isUp());
-        assertThat(asked.locate()).as("no frames come").isEmpty();
+        assertThat(asked.locate()).as("no frames arrive").isEmpty();
     }
 }

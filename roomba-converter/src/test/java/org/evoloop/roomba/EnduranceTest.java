@@ -30,7 +30,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A long time on a bad line, and a cable that is pulled again and again. */
+/** Long operation on a noisy line, and a cable that is pulled repeatedly. */
 class EnduranceTest {
     private static final long FRAME_BYTES = StreamFrame.length(RoombaSession.STREAM);
 
@@ -68,25 +68,25 @@ class EnduranceTest {
             assertThat(gap.longestNanos).as("no stall").isPositive().isLessThan(1_000_000_000);
             Counts after = Counts.of(stepped);
             long spoilt = duration.toMillis() / SimulatedRoomba.TICK_MILLIS - (after.frames() - before.frames());
-            assertThat(spoilt).as("the line is that noisy").isPositive();
+            assertThat(spoilt).as("the line is really noisy").isPositive();
             assertThat(after.bad()).isGreaterThan(before.bad());
             // One byte in a hundred is lost and cannot be counted.
             assertThat(after.skippedBytes() - before.skippedBytes())
-                    .as("the bytes of every spoilt frame are counted")
+                    .as("the bytes of every corrupted frame are counted")
                     .isBetween((long) (spoilt * FRAME_BYTES * 0.95), spoilt * FRAME_BYTES);
         }
     }
 
-    /** What the status tells of the frames that came. */
+    /** The status's counts of received frames. */
     private record Counts(long frames, long bad, long skippedBytes) {
         private static final Pattern TEXT = Pattern.compile("(\\d+) frames, (\\d+) bad, (\\d+) bytes skipped");
 
         static Counts of(SteppedRoomba stepped) {
-            Matcher told =
+            Matcher counts =
                     TEXT.matcher(stepped.roomba.converter().status().link().text());
-            assertThat(told.find()).isTrue();
+            assertThat(counts.find()).isTrue();
             return new Counts(
-                    Long.parseLong(told.group(1)), Long.parseLong(told.group(2)), Long.parseLong(told.group(3)));
+                    Long.parseLong(counts.group(1)), Long.parseLong(counts.group(2)), Long.parseLong(counts.group(3)));
         }
     }
 

@@ -21,7 +21,7 @@ import org.evoloop.time.SystemClock;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What people see of a camera that Move uses, from before its first picture until long after its last. */
+/** What viewers see of a camera that Move uses, from before its first picture until long after its last. */
 @Timeout(60)
 class EyesTest {
     private final ManualClock viewers = new ManualClock();
@@ -65,7 +65,7 @@ class EyesTest {
     }
 
     @Test
-    void aCameraThatCannotBeOpenedIsToldAndItsPasswordIsNot() {
+    void aCameraThatCannotBeOpenedIsReportedWithoutItsPassword() {
         try (Clock clock = new SystemClock()) {
             Eyes eyes = eyes("http://me:secret@127.0.0.1:1/stream");
             try (StartPointSensor sensor = eyes.apply(clock)) {

@@ -16,13 +16,13 @@ import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A camera whose looks come from the robot's true pose by geometry, with the errors that a real one was measured to
- * have: nothing is rendered, so that many rooms can be tried.
+ * A camera that computes its looks geometrically from the robot's true pose, with the measured errors of a real one.
+ * Nothing is rendered, so many rooms can be tried.
  */
 final class GeometricCamera implements MarkerCamera {
     private static final Duration FRAME = Duration.ofNanos(66_666_667);
 
-    /** From when a frame is taken until it comes. */
+    /** The time from taking a frame to its arrival. */
     private static final Duration LATENCY = Duration.ofMillis(50);
 
     private static final double HALF_VIEW_RAD = Math.toRadians(30);
@@ -43,7 +43,7 @@ final class GeometricCamera implements MarkerCamera {
     private @Nullable RuntimeException broken;
     double lostShare = 0.05;
 
-    /** @param marker its middle, and where it faces; null if there is none */
+    /** @param marker its centre and direction; null if there is none */
     GeometricCamera(SimulatedRoomba robot, Room room, ManualClock clock, @Nullable Pose marker, long seed) {
         this.robot = robot;
         this.room = room;
@@ -91,17 +91,17 @@ final class GeometricCamera implements MarkerCamera {
                 bearingRad + Math.toRadians(0.05) * random.nextGaussian()));
     }
 
-    /** Somebody takes the marker away, or puts it elsewhere. */
+    /** Moves the marker, or removes it. */
     void moveMarker(@Nullable Pose place) {
         marker = place;
     }
 
-    /** No frame comes any more, or they come again. */
+    /** Stops or resumes the frames. */
     void setStalled(boolean nothingComes) {
         stalled = nothingComes;
     }
 
-    /** Whoever asks for a look gets this thrown at. */
+    /** Requests for a look throw this from now on. */
     void breakDown(RuntimeException failure) {
         broken = failure;
     }

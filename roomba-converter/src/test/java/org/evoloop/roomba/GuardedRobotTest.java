@@ -21,24 +21,24 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Whatever ends the converter, or stops it: within a second of the robot's time the robot stands and is in Passive
- * mode. Robot, converter and guard are processes of their own.
+ * Whatever ends or freezes the converter, the robot stands still in Passive mode within a second of its own time.
+ * Robot, converter and guard are separate processes.
  */
 @Timeout(value = 1800, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 @EnabledOnOs(OS.LINUX)
 class GuardedRobotTest {
     private static final long LIMIT_MILLIS = 1_000;
 
-    /** Move drives at 85 mm/s at most; a position is told to a tenth of a millimetre. */
+    /** Move drives at 85 mm/s at most; positions are reported to a tenth of a millimetre. */
     private static final double LIMIT_MM = 85 + 1;
 
-    /** Its wheels count on when the robot is carried back, so no Move must arrive. */
+    /** A starting point so far away that no Move arrives: the wheel counts continue when the robot is carried back. */
     private static final String FAR_AWAY = "100000,0";
 
-    /** What is typed to have it drive. */
+    /** The lines to type to make it drive. */
     private static final String MOVE = "press clean\npress spot\n";
 
-    /** What the unit runs when the service has ended. */
+    /** The command that the unit runs when the service has ended. */
     private static final Path MAKE_SAFE =
             Path.of(System.getProperty("evoloop.root"), "framework/package/root/usr/lib/evoloop/make-safe");
 
@@ -78,9 +78,9 @@ class GuardedRobotTest {
     }
 
     /**
-     * Starts a converter, types {@code lines}, and waits for what comes of them.
+     * Starts a converter, types {@code lines}, and waits for their effect.
      *
-     * <p>A converter that gets no processor for half a second makes its robot safe and fails the press, as it should:
+     * <p>A converter that gets no processor time for half a second rightly makes its robot safe and fails the press;
      * then another one is started.
      */
     private Process startUntil(Predicate<Truth> wanted, String lines, String... options) throws Exception {
@@ -94,7 +94,7 @@ class GuardedRobotTest {
         }
     }
 
-    /** @param mayFail whether it may also not come about for half a minute */
+    /** @param mayFail whether it may also fail to happen for half a minute */
     private boolean comesAbout(Predicate<Truth> wanted, boolean mayFail) {
         Truth before = robot.truth();
         Truth after = robot.await(
@@ -115,7 +115,7 @@ class GuardedRobotTest {
         return now.mode().equals("safe") && now.left() > 40 && now.right() > 40;
     }
 
-    /** Lets Move drive for a moment that nobody knows before. */
+    /** Lets Move drive for a random time. */
     private Truth driveOn() {
         Truth begun = robot.truth();
         long moment = random.nextInt(2_000);
@@ -130,7 +130,7 @@ class GuardedRobotTest {
         farthestMm = Math.max(farthestMm, safe.mmFrom(before));
     }
 
-    /** How fast the robot drives at most while so many milliseconds of its time pass. */
+    /** The robot's greatest speed during this many milliseconds of its time. */
     private double fastestFor(long millis) {
         Truth first = robot.truth();
         double fastest = 0;
@@ -150,10 +150,10 @@ class GuardedRobotTest {
             assertThat(fastestFor(300)).isZero();
             robot.execute("place 0 0 0");
         }
-        tell(times + " kills");
+        progress(times + " kills");
     }
 
-    private void tell(String what) {
+    private void progress(String what) {
         System.out.printf(Locale.ROOT, "%s: safe after %d ms and %.1f mm at most%n", what, longestMillis, farthestMm);
     }
 
@@ -170,29 +170,29 @@ class GuardedRobotTest {
             long moment = random.nextInt(3_000);
             robot.await("some time", now -> now.millis() - before.millis() >= moment);
             signal("CONT", converter);
-            assertThat(fastestFor(1_000)).as("it does not drive on").isZero();
+            assertThat(fastestFor(1_000)).as("it does not continue driving").isZero();
             robot.await("it is under control again", now -> now.mode().equals("safe") && !now.drives());
             assertThat(fastestFor(300)).isZero();
             robot.execute("place 0 0 0");
         }
-        tell(times + " freezes");
+        progress(times + " freezes");
         OtherRobot.type(converter, "status\nexit\n");
         assertThat(converter.waitFor()).isZero();
         assertThat(log()).contains("this program was frozen for", "states      original On, new On");
     }
 
     @Test
-    void theRobotStandsWhenTheConverterIsKilled() throws Exception {
+    void theRobotStopsWhenTheConverterIsKilled() throws Exception {
         kill(3);
     }
 
     @Test
-    void theRobotStandsWhenTheConverterIsFrozenAndDoesNotDriveOnWhenThatGoesOn() throws Exception {
+    void theRobotStopsWhenTheConverterIsFrozenAndDoesNotDriveOnWhenItResumes() throws Exception {
         freeze(2);
     }
 
     @Test
-    void aRobotAtItsOtherRateStandsAsWell() throws Exception {
+    void aRobotAtItsOtherRateIsStoppedAsWell() throws Exception {
         robot.close();
         robot = new OtherRobot("--baud=19200");
         kill(1);
@@ -201,13 +201,13 @@ class GuardedRobotTest {
 
     @Test
     @Tag("slow")
-    void theRobotStandsAfterEachOfAHundredKillsAndTwentyFreezes() throws Exception {
+    void theRobotStopsAfterEachOfAHundredKillsAndTwentyFreezes() throws Exception {
         kill(100);
         freeze(20);
     }
 
     @Test
-    void aRobotThatCleansByItselfGoesOn() throws Exception {
+    void aRobotThatCleansByItselfContinues() throws Exception {
         Process converter =
                 startUntil(now -> now.activity().equals("clean") && now.drives(), "press clean\npress clean\n");
         Truth before = robot.truth();

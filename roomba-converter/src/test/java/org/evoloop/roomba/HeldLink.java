@@ -6,7 +6,8 @@ import org.evoloop.link.ForwardingLink;
 import org.evoloop.link.Link;
 
 /**
- * A link on which a test can hold a command, before it leaves or when the robot has it but the send has not returned.
+ * A link on which a test can hold a command, before it is sent, or after the robot has received it but before the send
+ * returns.
  */
 final class HeldLink extends ForwardingLink {
     private final Hold hold;
@@ -16,7 +17,7 @@ final class HeldLink extends ForwardingLink {
         this.hold = hold;
     }
 
-    /** Whether anything is held, by all links of one cable. */
+    /** What is held, shared by all links of one cable. */
     static final class Hold {
         private volatile int before = -1;
         private volatile int after = -1;
@@ -28,13 +29,13 @@ final class HeldLink extends ForwardingLink {
             return baud -> new HeldLink(cable.apply(baud), this);
         }
 
-        /** The next command of this opcode does not leave until it is {@link #release released}. */
+        /** The next command with this opcode is not sent until it is {@link #release released}. */
         void before(int opcode) {
             arm();
             before = opcode;
         }
 
-        /** The next command of this opcode leaves, but its send does not return. */
+        /** The next command with this opcode is sent, but its send does not return. */
         void after(int opcode) {
             arm();
             after = opcode;
@@ -45,7 +46,7 @@ final class HeldLink extends ForwardingLink {
             free = new CountDownLatch(1);
         }
 
-        /** Waits until the command has come. */
+        /** Waits until the command is held. */
         void await() throws InterruptedException {
             held.await();
         }
@@ -56,7 +57,7 @@ final class HeldLink extends ForwardingLink {
             free.countDown();
         }
 
-        /** However often the thread is told to stop. */
+        /** Waits however often the thread is interrupted. */
         private void stay() {
             held.countDown();
             boolean interrupted = false;

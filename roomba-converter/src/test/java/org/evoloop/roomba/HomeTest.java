@@ -19,7 +19,7 @@ import org.evoloop.roomba.simulator.robot.RobotOptions;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** A day of a robot whose owner has drawn {@code models/roomba.xml#home}. */
+/** A day of a robot with {@code models/roomba.xml#home}. */
 class HomeTest {
     private SteppedRoomba roomba = at(100);
 
@@ -53,7 +53,7 @@ class HomeTest {
     }
 
     @Test
-    void aWorkingRobotGoesHomeWhenItIsTold() {
+    void aWorkingRobotGoesHomeOnCommand() {
         switchOn();
         roomba.press(RobotEvents.CLEAN).advance(Duration.ofSeconds(5));
         roomba.press(RobotEvents.DOCK).advance(Duration.ofSeconds(1));
@@ -98,7 +98,7 @@ class HomeTest {
     }
 
     @Test
-    void aRobotThatNobodyUsesSleepsAndIsWokenByTheNextEvent() {
+    void anUnusedRobotSleepsAndIsWokenByTheNextEvent() {
         switchOn();
         roomba.advance(Duration.ofSeconds(310));
         assertThat(roomba.truth().oiMode()).isEqualTo(OiMode.PASSIVE);
@@ -127,7 +127,7 @@ class HomeTest {
     }
 
     @Test
-    void withLittleChargeItChargesFirstAndGoesOnAfter() {
+    void withLittleChargeItChargesFirstAndThenContinues() {
         roomba.close();
         roomba = at(15);
         switchOn();
@@ -143,7 +143,7 @@ class HomeTest {
     }
 
     @Test
-    void aLiftedRobotIsInTroubleUntilItStandsAgain() {
+    void aLiftedRobotIsInTroubleUntilItIsSetDown() {
         switchOn();
         roomba.robot.lift();
         until("Error", "Error", 2);

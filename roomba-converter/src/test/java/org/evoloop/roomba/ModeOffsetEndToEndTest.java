@@ -11,7 +11,7 @@ import org.evoloop.roomba.simulator.robot.RobotActivity;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
 import org.junit.jupiter.api.Test;
 
-/** A robot that reports its mode one too high, and a converter that nobody has told of it. */
+/** A robot that reports its mode one too high, and a converter without the option for that. */
 class ModeOffsetEndToEndTest {
     private static final Duration LONG = Duration.ofSeconds(12);
 
@@ -33,7 +33,7 @@ class ModeOffsetEndToEndTest {
     }
 
     @Test
-    void itIsFoundOutAndToldAndEverythingWorks() {
+    void itIsDetectedAndReportedAndEverythingWorks() {
         try (SteppedRoomba roomba = robot(SessionOptions.defaults())) {
             startCleaning(roomba);
             assertCleansOn(roomba);
@@ -45,7 +45,7 @@ class ModeOffsetEndToEndTest {
     }
 
     @Test
-    void whoeverDeniesItHasARobotThatIsNotToggledForAllThat() {
+    void withAWrongModeOffsetTheRobotIsStillNotToggled() {
         try (SteppedRoomba roomba = robot(SessionOptions.defaults().withModeOffset(0))) {
             roomba.advance(Duration.ofSeconds(2));
             assertThat(roomba.states()).as("it seems to be under control").isEqualTo(at("On", "On"));

@@ -12,12 +12,12 @@ import org.evoloop.roomba.simulator.robot.RobotActivity;
 import org.evoloop.roomba.simulator.room.Pose;
 import org.junit.jupiter.api.Test;
 
-/** What comes of a Move that has not arrived. */
+/** What happens after a Move that has not arrived. */
 class MoveEndsTest {
     private static final Pose MARKER = pose(3_998, 1_500, 180);
 
     @Test
-    void nothingFoundIsWhereItBeganAndTheControllerGoesOnFromThere() {
+    void ifNothingIsFoundItIsWhereItBeganAndTheControllerContinuesFromThere() {
         MoveOptions soon = MoveOptions.defaults().withLimit(Duration.ofSeconds(5));
         try (MoveTrip trip = new MoveTrip(room(pose(1_500, 1_000, 0)), null, PaperPair.cleaningRobot(), soon, 1)) {
             trip.advance(Duration.ofSeconds(6));
@@ -32,7 +32,7 @@ class MoveEndsTest {
     }
 
     @Test
-    void whoeverStopsTheConverterOnTheWayHasARobotThatStandsAfterTheNextStart() {
+    void afterAStopOnTheWayTheRobotStandsStillAfterTheNextStart() {
         try (MoveTrip trip = MoveTrip.in(room(pose(1_000, 1_500, 0)), MARKER)) {
             trip.untilItDrives();
             trip.stepped.roomba.converter().stop();

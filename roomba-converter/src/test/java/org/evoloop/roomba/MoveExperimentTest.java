@@ -17,7 +17,7 @@ import org.evoloop.roomba.simulator.room.Room;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** Move in rooms by chance, from rendered pictures through OpenCV to the wheels. Each seed is a room and a start. */
+/** Move in random rooms, from rendered pictures through OpenCV to the wheels. Each seed is a room and a start. */
 class MoveExperimentTest {
     private static final double FARTHEST_MISS_MM = 50;
     private static final double FARTHEST_MISS_DEG = 3;
@@ -29,7 +29,7 @@ class MoveExperimentTest {
         FALSE_ARRIVAL
     }
 
-    /** What became of one room. */
+    /** The result for one room. */
     private record Run(long seed, End end, double seconds, double touchMmPerS) {}
 
     private static Run run(long seed, Room room, Effects effects, Duration limit) {

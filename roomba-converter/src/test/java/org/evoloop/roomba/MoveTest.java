@@ -45,7 +45,7 @@ class MoveTest {
     }
 
     @Test
-    void goesRoundWhatStandsBesideItsLineOfSight() {
+    void goesRoundObstaclesBesideItsLineOfSight() {
         Room beside = room(pose(1_000, 1_500, 0), box(Shape.Kind.OBSTACLE, 2_000, 1_560, 2_200, 2_200));
         try (MoveTrip trip = MoveTrip.in(beside, MARKER)) {
             assertArrives(trip);
@@ -98,7 +98,7 @@ class MoveTest {
     }
 
     @Test
-    void standsWhileNoFrameComesAndGoesOnWhenTheyComeAgain() {
+    void stopsWhileNoFrameArrivesAndContinuesWhenTheyArriveAgain() {
         try (MoveTrip trip = MoveTrip.in(room(pose(1_000, 1_500, 0)), MARKER)) {
             trip.untilItDrives();
             trip.camera().setStalled(true);

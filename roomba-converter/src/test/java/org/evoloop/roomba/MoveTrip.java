@@ -23,7 +23,7 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 
-/** A robot with a camera in a room, on its way to the marker; notes how fast it was whenever it touched something. */
+/** A robot with a camera in a room, on its way to the marker; records its speed whenever it touches something. */
 final class MoveTrip implements AutoCloseable {
     private static final Duration TICK = Duration.ofMillis(15);
 
@@ -61,7 +61,7 @@ final class MoveTrip implements AutoCloseable {
         return new MoveTrip(room, marker, PaperPair.cleaningRobot(), MoveOptions.defaults(), 1);
     }
 
-    /** The paper's models, and {@code timeout} leads from Move to On. */
+    /** The paper's models with a transition on {@code timeout} from Move to On. */
     static ModelPair withTimeout() {
         ModelPair paper = PaperPair.cleaningRobot();
         StateMachine evolved = paper.evolved();
@@ -88,14 +88,14 @@ final class MoveTrip implements AutoCloseable {
                         new Point(left, top)));
     }
 
-    /** A room of 4 by 3 m with what stands in it; x and y begin in a corner. */
+    /** A room of 4 by 3 m with this furniture; the origin is in a corner. */
     static Room room(Pose start, Shape... furniture) {
         List<Shape> shapes = new ArrayList<>(List.of(furniture));
         shapes.add(box(Shape.Kind.WALL, 0, 0, 4_000, 3_000));
         return Room.of(shapes, null, start);
     }
 
-    /** The camera, if it is one by geometry. */
+    /** The camera, if it is a geometric one. */
     GeometricCamera camera() {
         return (GeometricCamera) camera;
     }
@@ -108,7 +108,7 @@ final class MoveTrip implements AutoCloseable {
         return stepped.truth();
     }
 
-    /** Until it drives on, as it does once it has seen the marker. */
+    /** Waits until it drives, which it does once it has seen the marker. */
     void untilItDrives() {
         stepped.until(() -> Math.min(truth().leftMmPerS(), truth().rightMmPerS()) > 80, Duration.ofSeconds(10));
     }
@@ -134,7 +134,7 @@ final class MoveTrip implements AutoCloseable {
         return Math.abs(state.leftMmPerS() + state.rightMmPerS()) / 2;
     }
 
-    /** Until Move has been left. @return whether it was in time */
+    /** Waits until Move has been left. @return whether that was in time */
     boolean ends(Duration limit) {
         for (long left = limit.toNanos(); left > 0 && isMoving(); left -= TICK.toNanos()) {
             advance(TICK);
@@ -146,12 +146,12 @@ final class MoveTrip implements AutoCloseable {
         return fastestTouchMmPerS;
     }
 
-    /** How far from 0.40 m before the marker. */
+    /** The distance from the goal, 0.40 m in front of the marker. */
     double missMm() {
         return marker == null ? Double.NaN : Math.abs(truth().pose().distanceMmTo(marker.center()) - 400);
     }
 
-    /** How far the robot looks past the marker. */
+    /** The angle by which the robot faces past the marker. */
     double missDeg() {
         return marker == null
                 ? Double.NaN

@@ -12,7 +12,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.awaitility.Awaitility;
 
-/** A simulated robot in a process of its own, what is true of it, whatever a converter believes, and its converters. */
+/** A simulated robot in a process of its own, with its true state and its converters. */
 final class OtherRobot implements AutoCloseable {
     /** The truth at one moment of the robot's time. */
     record Truth(long millis, String activity, String mode, double x, double y, double left, double right) {
@@ -41,9 +41,7 @@ final class OtherRobot implements AutoCloseable {
         return world.port().toString();
     }
 
-    /**
-     * Starts a converter in a process of its own, and opens its loop; what it prints goes to the end of {@code log}.
-     */
+    /** Starts a converter in a process of its own, and opens its loop; its output is appended to {@code log}. */
     Process convert(Path log, String... options) throws IOException {
         List<String> arguments = new ArrayList<>(List.of("--port", port(), "--start"));
         arguments.addAll(List.of(options));
@@ -86,7 +84,7 @@ final class OtherRobot implements AutoCloseable {
         return found.group(1);
     }
 
-    /** The first truth that is so. */
+    /** Waits for the first truth that satisfies this. */
     Truth await(String what, Predicate<Truth> wanted) {
         return Awaitility.await(what)
                 .pollDelay(Duration.ZERO)
@@ -95,7 +93,7 @@ final class OtherRobot implements AutoCloseable {
                 .until(this::truth, wanted);
     }
 
-    /** Leaves no process. */
+    /** Ends all processes. */
     @Override
     public void close() {
         converters.forEach(Process::destroyForcibly);

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Whoever uses the robot's own buttons or lifts it ends a Move at once, whatever the models say. */
+/** Using the robot's own buttons, or lifting it, ends a Move at once, whatever the models say. */
 class PersonWinsTest {
     private static final Pose MARKER = pose(3_998, 1_500, 180);
     private static final Duration AT_ONCE = Duration.ofMillis(300);
@@ -30,7 +30,7 @@ class PersonWinsTest {
         return trip;
     }
 
-    /** The paper's models, and this transition leads from Move. */
+    /** The paper's models with this transition from Move. */
     private static ModelPair with(String event, String target) {
         StateMachine evolved = PaperPair.cleaningRobot().evolved();
         StateMachineBuilder builder = StateMachine.named("more").initial("Off");
@@ -95,7 +95,7 @@ class PersonWinsTest {
     }
 
     @Test
-    void aRobotThatIsLiftedStandsWhenItIsSetDown() {
+    void aLiftedRobotStandsStillWhenItIsSetDown() {
         try (MoveTrip trip = trip(PaperPair.cleaningRobot())) {
             trip.stepped.robot.lift();
             trip.advance(AT_ONCE);

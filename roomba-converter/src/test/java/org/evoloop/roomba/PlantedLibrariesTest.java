@@ -26,7 +26,8 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Somebody else has put files where everybody may write, under the names that libraries unpack their native parts to.
+ * Another user has planted files in a world-writable directory, under the names to which libraries unpack their native
+ * parts.
  */
 @EnabledOnOs(OS.LINUX)
 @Timeout(120)
@@ -48,11 +49,11 @@ class PlantedLibrariesTest {
         Files.setPosixFilePermissions(everybodys, PosixFilePermissions.fromString("rwxrwxrwx"));
         SerialLink.prepare();
         Path place = Files.createDirectories(everybodys.resolve("jSerialComm").resolve(SerialPort.getVersion()));
-        // The library itself, so that it would be taken; whoever means harm would write another.
+        // The library itself, so that it would load; an attacker would plant a different one.
         try (InputStream library = SerialPort.class.getResourceAsStream("/Linux/" + machine + "/" + SERIAL)) {
             Files.copy(Objects.requireNonNull(library), place.resolve(SERIAL));
         }
-        // jSerialComm tidies up beside it.
+        // jSerialComm deletes old files beside it.
         precious =
                 Files.writeString(Files.createDirectory(folder.resolve("mine")).resolve("precious"), "precious");
         Files.createSymbolicLink(place.resolveSibling("1.0.0"), precious.getParent());
@@ -70,12 +71,12 @@ class PlantedLibrariesTest {
     }
 
     @Test
-    void withoutAPlaceOfItsOwnItTellsSoAndLoadsNothing() throws Exception {
+    void withoutADirectoryOfItsOwnItSaysSoAndLoadsNothing() throws Exception {
         Path missing = folder.resolve("missing");
         Path home = folder.resolve("no-home");
         Process program =
                 Program.start(List.of("-Djava.io.tmpdir=" + missing, "-Duser.home=" + home), "--port", "/dev/null");
-        // Newer JDKs complain of the folder, too.
+        // Newer JDKs warn about the folder, too.
         assertThat(program.inputReader().lines())
                 .last()
                 .isEqualTo("error: the native library libjnidispatch.so cannot be unpacked and loaded (no folder can"
@@ -110,7 +111,7 @@ class PlantedLibrariesTest {
         }
     }
 
-    /** The shared libraries that a process has in its memory, also those whose files are gone. */
+    /** The shared libraries that a process has loaded, including those whose files are gone. */
     private static Stream<Path> loaded(Process process) throws IOException {
         return Files.readAllLines(Path.of("/proc", Long.toString(process.pid()), "maps")).stream()
                 .map(line -> line.split(" +", 6))

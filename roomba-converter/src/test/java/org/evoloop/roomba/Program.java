@@ -12,11 +12,11 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 
-/** The program in a process of its own, as its user starts it but for the jar. */
+/** The program in a process of its own, started as by a user, except that it is not run from the jar. */
 final class Program {
     private static final int PATIENCE_SECONDS = 120;
 
-    /** What came of it. */
+    /** The result. */
     record Result(int status, String out, String err) {}
 
     private Program() {}
@@ -37,20 +37,20 @@ final class Program {
         return run(folder, List.of("-Devoloop.opencv.classes=" + empty), "", arguments);
     }
 
-    /** With a file of one's own that says where the log goes. */
+    /** With a log configuration file of the user's own. */
     static Result runWithLogFile(Path folder, Path logFile, String... arguments)
             throws IOException, InterruptedException {
         return run(folder, List.of("-Dlogback.configurationFile=" + logFile), "", arguments);
     }
 
-    /** The program at work, with its standard input open. */
+    /** The running program, with its standard input open. */
     static Process start(List<String> javaOptions, String... arguments) throws IOException {
         return new ProcessBuilder(command(javaOptions, arguments))
                 .redirectErrorStream(true)
                 .start();
     }
 
-    /** The same; what it prints goes to the end of {@code log}. */
+    /** The same, with its output appended to {@code log}. */
     static Process startWithLog(Path log, String... arguments) throws IOException {
         return new ProcessBuilder(command(List.of(), arguments))
                 .redirectErrorStream(true)
@@ -69,7 +69,7 @@ final class Program {
         try (Writer toProgram = process.outputWriter(StandardCharsets.UTF_8)) {
             toProgram.write(input);
         } catch (IOException endedEarly) {
-            // A program that refuses its options reads nothing.
+            // A program that rejects its options reads no input.
             if (process.isAlive() && !process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
                 throw new UncheckedIOException(endedEarly);
             }

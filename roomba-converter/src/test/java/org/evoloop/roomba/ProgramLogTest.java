@@ -10,7 +10,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Where the log goes, seen from outside. */
+/** Where the log goes, observed from outside. */
 @EnabledOnOs(OS.LINUX)
 @Timeout(180)
 class ProgramLogTest {

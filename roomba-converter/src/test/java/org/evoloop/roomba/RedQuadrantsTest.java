@@ -22,16 +22,16 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /**
- * The paper's way to the starting point, for comparison: count the red pixels in the picture's quadrants, turn to the
- * side that has more, drive on when both have about the same, stop when there are enough. A red board of the marker's
- * size is where the marker would be; its pixels are always taken for red. The wheels are ideal, furniture stops the
- * robot without harm, and there is no other obstacle handling.
+ * The paper's method of finding the starting point, for comparison: count the red pixels in the picture's quadrants,
+ * turn to the side with more, drive forward when both are about equal, stop when there are enough. A red board of the
+ * marker's size replaces the marker; its pixels always count as red. The wheels are ideal, furniture stops the robot
+ * without damage, and there is no other obstacle handling.
  */
 class RedQuadrantsTest {
     private static final double GOAL_MM = RandomRooms.GOAL_MM;
     private static final int ROOMS = 50;
 
-    /** What a board of 200 mm covers of the picture from the goal: 139 by 139 of 320 by 240 pixels. */
+    /** The share of the picture that a board of 200 mm covers from the goal: 139 by 139 of 320 by 240 pixels. */
     private static final double ENOUGH = 0.25;
 
     private static final double LIMIT_S = 180;
@@ -39,7 +39,7 @@ class RedQuadrantsTest {
     private static final double SPEED_MM_PER_S = 85;
     private static final double TURN_RAD_PER_S = 0.3;
 
-    /** Less red than this share of the picture is noise; the board has twice as much from the farthest start. */
+    /** Less red than this share of the picture is noise; the board covers twice as much from the farthest start. */
     private static final double LEAST_SHARE = 0.001;
 
     /** The sides are balanced when they differ by less than this share of all red. */
@@ -47,16 +47,16 @@ class RedQuadrantsTest {
 
     private static final int BLUE = 0x1971C2;
 
-    /** So much between two pictures with the same noise is no rounding. */
+    /** A difference this large between two pictures with the same noise is not due to rounding. */
     private static final int DIFFERENT_LEVELS = 8;
 
-    /** How much of a picture is red, left and right of its middle. */
+    /** The red share of a picture's left and right half. */
     private record Red(double left, double right) {
         double share() {
             return left + right;
         }
 
-        /** @param without the same picture without the board, which is where the two differ */
+        /** @param without the same picture without the board; the two differ where the board is */
         static Red in(Picture picture, Picture without) {
             int[] count = new int[2];
             byte[] bgr = without.bgr();
@@ -96,7 +96,7 @@ class RedQuadrantsTest {
                 new Finish(OptionalInt.of(rgb), shape.finish().heightMm()));
     }
 
-    /** The same room without red and orange furniture; what hangs on the walls may still be red. */
+    /** The same room without red and orange furniture; objects on the walls may still be red. */
     private static Room withoutRed(Room room) {
         List<Shape> shapes = room.shapes().stream()
                 .map(shape -> shape.finish().rgb().stream().anyMatch(RedQuadrantsTest::isReddish)

@@ -21,8 +21,8 @@ import org.evoloop.roomba.simulator.room.Room;
 import org.evoloop.time.ManualClock;
 
 /**
- * A camera whose looks come from rendered pictures through OpenCV, under a manual clock. While the robot turns fast no
- * picture is made: a real one would show nothing but smear, and Move does not look then.
+ * A camera that finds its looks with OpenCV in rendered pictures, under a manual clock. While the robot turns fast no
+ * picture is rendered: a real one would only be blurred, and Move does not look then.
  */
 final class RenderedCamera implements MarkerCamera {
     private static final Duration FRAME = Duration.ofMillis(100);

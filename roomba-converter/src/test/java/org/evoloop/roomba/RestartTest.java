@@ -16,8 +16,8 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * A converter with a journal is killed, somebody uses the robot's own buttons, and another process goes on: its record
- * is where the robot is, not where it was. All are processes of their own.
+ * A converter with a journal is killed, the robot's own buttons are used, and another process continues: its recorded
+ * state is where the robot is, not where it was. All are separate processes.
  */
 @Timeout(value = 240, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 @EnabledOnOs(OS.LINUX)
@@ -51,7 +51,7 @@ class RestartTest {
         robot.await(activity, now -> now.activity().equals(activity));
     }
 
-    /** Asks until the converter says that it and the robot are there. */
+    /** Polls until the converter reports these states. */
     private void awaitStates(Process converter, String states) {
         Awaitility.await(states)
                 .atMost(Duration.ofSeconds(60))

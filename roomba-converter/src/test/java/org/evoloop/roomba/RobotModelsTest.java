@@ -14,13 +14,13 @@ import org.evoloop.statemachine.StateMachineBuilder;
 import org.evoloop.statemachine.Transition;
 import org.junit.jupiter.api.Test;
 
-/** Which function runs in which new state, and what leads out of Move. */
+/** Which function runs in which new state, and which transitions leave Move. */
 class RobotModelsTest {
     private static final StateMachine ORIGINAL = PaperPair.cleaningRobot().original();
     private static final State HUNT = new State("Hunt");
     private static final State PAUSE = new State("Pause");
 
-    /** The device, and SPOT leads to Hunt. */
+    /** The device's model, with SPOT leading to Hunt. */
     private static StateMachineBuilder hunting() {
         return StateMachine.named("hunting")
                 .initial("Off")
@@ -88,7 +88,7 @@ class RobotModelsTest {
     }
 
     @Test
-    void aStateThatNothingFitsIsToldWithWhatToDoAtTheCommandLine() {
+    void aStateThatNothingFitsIsReportedWithARemedyForTheCommandLine() {
         assertRefused(
                 "new state Pause has no function. Move runs in the state that arriveSpot leaves, SpotWait in the one "
                         + "that timeout leaves; draw such a transition, or a time trigger such as tm(2s), or give "
@@ -144,7 +144,7 @@ class RobotModelsTest {
         assertThat(evolved.nextState(HUNT, new Event("backToOn"))).contains(new State("On"));
         assertThat(evolved.nextState(HUNT, new Event("backToDoze"))).contains(new State("Doze"));
         assertThat(evolved.hasTransition(HUNT, new Event("backToPause")))
-                .as("from there it would drive off by itself")
+                .as("in that state it would drive off by itself")
                 .isFalse();
     }
 
@@ -153,7 +153,7 @@ class RobotModelsTest {
         StateMachine evolved =
                 read(arriving().transition("Spot", "Spot", "Hunt")).pair().evolved();
         assertThat(evolved.hasTransition(HUNT, new Event("backToOn")))
-                .as("nothing that can be sent ends a spot cleaning")
+                .as("no event that can be sent ends a spot cleaning")
                 .isFalse();
         assertThat(evolved.transitions()).contains(new Transition(HUNT, new Event("backToSpot"), new State("Spot")));
     }

@@ -14,14 +14,15 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Whatever buttons are pressed: shortly after, the converter knows what the robot truly does, and has it in its mode.
+ * Whatever buttons are pressed, shortly afterwards the converter knows the robot's true activity, and the robot is in
+ * the right mode.
  */
 class SteppedRandomWalkTest {
     private static final int STEPS = 200;
 
     private static final Duration SOON = Duration.ofMillis(500);
 
-    /** No packet tells of the end of a spot cleaning; it shows after a second of rest. */
+    /** No packet reports the end of a spot cleaning; it is inferred after a second of rest. */
     private static final Duration SPOT_END_SHOWS = Duration.ofMillis(1_100);
 
     static LongStream seeds() {
@@ -71,7 +72,7 @@ class SteppedRandomWalkTest {
                 return "robot's CLEAN";
             }
             case 3 -> {
-                // The original model does not know that SPOT pauses cleaning, so nobody presses it then.
+                // The original model does not contain that SPOT pauses cleaning, so SPOT is not pressed then.
                 if (roomba.truth().activity() != RobotActivity.CLEAN) {
                     roomba.robotPress(Button.SPOT);
                 }

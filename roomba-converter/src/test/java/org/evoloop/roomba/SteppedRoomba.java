@@ -27,8 +27,8 @@ import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The whole Roomba converter and a simulated robot on one thread under a manual clock: the same calls always end the
- * same way.
+ * The whole Roomba converter and a simulated robot on one thread under a manual clock: the same calls always have the
+ * same result.
  */
 final class SteppedRoomba implements AutoCloseable {
     private static final Duration TICK = Duration.ofMillis(SimulatedRoomba.TICK_MILLIS);
@@ -51,7 +51,7 @@ final class SteppedRoomba implements AutoCloseable {
         this(options, Scenario.START_X_MM, Scenario.START_Y_MM);
     }
 
-    /** A robot that is treated in another way. */
+    /** A robot with these options for the simulation and the session. */
     SteppedRoomba(RobotOptions options, SessionOptions session) {
         this(
                 options,
@@ -61,7 +61,7 @@ final class SteppedRoomba implements AutoCloseable {
                 (robot, clock) -> StartPointSensor.byWheels(Scenario.START_X_MM, Scenario.START_Y_MM));
     }
 
-    /** A robot whose starting point is elsewhere. */
+    /** A robot with another starting point. */
     SteppedRoomba(RobotOptions options, double startXMm, double startYMm) {
         this(
                 options,
@@ -70,7 +70,7 @@ final class SteppedRoomba implements AutoCloseable {
                 (robot, clock) -> StartPointSensor.byWheels(startXMm, startYMm));
     }
 
-    /** A robot that senses its starting point in another way. */
+    /** A robot with another sensor for its starting point. */
     SteppedRoomba(
             RobotOptions options,
             ModelPair models,
@@ -131,7 +131,7 @@ final class SteppedRoomba implements AutoCloseable {
         plugged = true;
     }
 
-    /** Pulls the cable in the middle of a frame. */
+    /** Unplugs the cable in the middle of a frame. */
     void unplugWithinAFrame() {
         robot.tick();
         byte[] bytes = robotSays.toByteArray();
@@ -141,13 +141,13 @@ final class SteppedRoomba implements AutoCloseable {
         unplug();
     }
 
-    /** From now on what the robot says does not arrive, or it does again; the cable stays plugged in. */
+    /** From now on the robot's bytes are lost, or arrive again; the cable stays plugged in. */
     SteppedRoomba mute(boolean nothingArrives) {
         muted = nothingArrives;
         return this;
     }
 
-    /** The robot's end stops taking bytes; whoever sends notices, and opens a new link. */
+    /** The robot's end stops accepting bytes; the sender notices, and opens a new link. */
     void stall() {
         MemoryLink.Pair current = cable;
         if (current != null) {
@@ -156,8 +156,8 @@ final class SteppedRoomba implements AutoCloseable {
     }
 
     /**
-     * Disturbs both directions from now on, null for not at all. Commands are lost but not changed: one bit makes a
-     * Spot (134) a Clean (135), and the two look alike from outside.
+     * Sets the noise in both directions, null for none. Commands are lost but not changed: one bit turns a Spot (134)
+     * into a Clean (135), and the two look the same from outside.
      */
     void disturb(MemoryLink.@Nullable Noise nextNoise) {
         noise = nextNoise;
@@ -181,7 +181,7 @@ final class SteppedRoomba implements AutoCloseable {
         return this;
     }
 
-    /** The robot takes what it was sent. It does not notice that its cable is pulled. */
+    /** The robot receives what it was sent. It does not notice that its cable is unplugged. */
     private void obey() {
         MemoryLink.Pair current = cable;
         if (current != null) {
@@ -202,7 +202,7 @@ final class SteppedRoomba implements AutoCloseable {
             try {
                 current.device().send(bytes);
             } catch (LinkException pulled) {
-                // What a robot says into a pulled cable nobody hears.
+                // Bytes that a robot sends into an unplugged cable are lost.
                 robotSays.reset();
             }
         }
@@ -223,7 +223,7 @@ final class SteppedRoomba implements AutoCloseable {
         }
     }
 
-    /** Lets time pass until something holds, which it must within {@code limit}. */
+    /** Lets time pass until a condition holds; fails if it does not within {@code limit}. */
     SteppedRoomba until(BooleanSupplier holds, Duration limit) {
         for (long ticks = limit.dividedBy(TICK); !holds.getAsBoolean(); ticks--) {
             if (ticks == 0) {
@@ -235,7 +235,7 @@ final class SteppedRoomba implements AutoCloseable {
         return this;
     }
 
-    /** A button of the robot is pressed for as long as people do, and some time passes until it is up again. */
+    /** A button of the robot is pressed for a typical time, and some time passes until it is up again. */
     SteppedRoomba robotPress(Button button) {
         robot.press(button);
         return advance(Duration.ofMillis(2 * SimulatedRoomba.USUAL_PRESS_MILLIS));

@@ -16,7 +16,7 @@ import org.evoloop.roomba.simulator.robot.RobotState;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** What the demo plays, with the same code but without threads, ports and real time. */
+/** The demo's scenarios, with the same code but without threads, ports and real time. */
 class SteppedScenariosTest {
     private static final Duration SOON = Duration.ofMillis(500);
 

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What --clean-at and --quiet-hours say. */
+/** The options --clean-at and --quiet-hours. */
 class TimesOfDayTest {
     private static Duration left(String hours, String now) {
         return QuietHours.parse(hours).left(ZonedDateTime.parse("2026-11-23T" + now + ":00+01:00[Europe/Berlin]"));

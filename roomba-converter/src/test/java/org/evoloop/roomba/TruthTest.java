@@ -29,21 +29,22 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Whatever people do to the robot and to its cable: once things are quiet, the converter's original model is in the
- * state that the robot truly is in.
+ * Whatever people do to the robot and its cable: once nothing happens any more, the converter's original model is in
+ * the robot's true state.
  */
 class TruthTest {
     /**
-     * The longest that anything takes: a robot is asked at both rates, and then stays on its dock instead of obeying.
+     * The longest that anything takes: contacting a robot at both rates, which then stays on its dock instead of
+     * obeying.
      */
     private static final Duration QUIET = Duration.ofSeconds(15);
 
     private static final Duration SILENCE_SHOWS =
             SessionOptions.defaults().silenceLimit().plusMillis(300);
 
-    /** Whose states are compared with the truth. */
+    /** The models whose states are compared with the truth. */
     private enum Evolution {
-        /** The paper's pair, whose robot has no state for its dock, sleep and trouble. */
+        /** The paper's pair, which has no states for dock, sleep and trouble. */
         PAPER(PaperPair.cleaningRobot()),
         HOME(RoombaPair.of("home")),
         GUEST(RoombaPair.of("guest"));
@@ -54,7 +55,7 @@ class TruthTest {
             this.models = models;
         }
 
-        /** The state of the robot's model that is true. */
+        /** The robot's true state in its model. */
         String truth(RobotState robot) {
             boolean running = robot.activity().isRunning();
             boolean idle = !running && robot.activity() != RobotActivity.OFF;
@@ -72,8 +73,8 @@ class TruthTest {
         }
 
         /**
-         * The state that the converter believes in. From outside Max looks like Clean; the truth is told in whole
-         * percent.
+         * The converter's recorded state, comparable with the truth. From outside, Max looks like Clean, and the truth
+         * has the charge in whole percent only.
          */
         String belief(SteppedRoomba stepped) {
             String name = stepped.states().original().name();
@@ -113,11 +114,11 @@ class TruthTest {
         SILENCE,
         MOMENT,
         WHILE,
-        /** Long enough for a robot that nobody uses to fall asleep. */
+        /** Long enough for an unused robot to fall asleep. */
         SIESTA
     }
 
-    /** A deed, and how long nothing else happens after it. */
+    /** A deed, and the pause after it. */
     private record Act(Deed deed, int pauseMillis) {
         static Act random(Random random) {
             Deed deed = Deed.values()[random.nextInt(Deed.values().length)];
@@ -134,7 +135,7 @@ class TruthTest {
         search(evolution, 20_261_121, sequences);
     }
 
-    /** Sequences that are rare: in one of a thousand half a command, a press and a cable that blinks meet like this. */
+    /** Rare sequences: one in a thousand has half a command, a press and a brief disconnection in this order. */
     @ParameterizedTest
     @ValueSource(longs = {6_485, 11_837, 14_356, 70_369, 70_376, 91_325})
     void isKnownAfterRareSequences(long seed) {
@@ -165,7 +166,7 @@ class TruthTest {
         }
     }
 
-    /** Leaves out and shortens whatever is not needed for the contradiction. */
+    /** Removes and shortens everything that is not needed for the failure. */
     private static List<Act> shrink(Evolution evolution, List<Act> acts) {
         List<Act> shrunk = new ArrayList<>(acts);
         for (int at = shrunk.size() - 1; at >= 0; at--) {
@@ -180,7 +181,7 @@ class TruthTest {
         return shrunk;
     }
 
-    /** Performs the acts; returns how belief and truth differ in the end, empty if they agree. */
+    /** Performs the acts; returns how belief and truth differ at the end, empty if they agree. */
     private static String play(Evolution evolution, List<Act> acts) {
         try (SteppedRoomba stepped = new SteppedRoomba(
                 RobotOptions.builder().spotDurationMillis(20_000).build(),
@@ -205,7 +206,7 @@ class TruthTest {
         }
     }
 
-    /** A robot that does something at the last moment, and what that begins, must have their time. */
+    /** Something that the robot does at the last moment, and its consequences, need time to finish. */
     private static void letThingsBecomeQuiet(Evolution evolution, SteppedRoomba stepped) {
         String before;
         Configuration believed;
@@ -260,16 +261,16 @@ class TruthTest {
             case MUTE -> stepped.mute(true).advance(SILENCE_SHOWS);
             case UNMUTE -> stepped.mute(false);
             case HALF_A_COMMAND -> {
-                // The rest of it never comes: the next command is taken for its data. A robot that works by itself is
-                // told to do
-                // nothing that takes more than one byte.
+                // The rest of it never arrives, and the next command is taken for its data. Not while the robot works
+                // by itself: then it is sent only commands of one byte.
                 if (!stepped.truth().activity().isRunning()) {
                     stepped.robot.receive(new byte[] {(byte) Opcode.DRIVE_DIRECT.code(), 0}, 2);
                 }
             }
             case STOP -> stepped.roomba.converter().stop();
             case START -> stepped.roomba.converter().start();
-            // One frame in five is spoilt. At much more a press that only switches the robot on may leave no trace.
+            // One frame in five is corrupted. With much more noise, a press that only switches the robot on may leave
+            // no trace.
             case NOISE -> stepped.disturb(new MemoryLink.Noise(1, 0.003, 0.003));
             case SILENCE -> stepped.disturb(null);
             case MOMENT -> stepped.advance(Duration.ofMillis(40));
@@ -284,7 +285,7 @@ class TruthTest {
         }
     }
 
-    /** A converter that is stopped refuses the press. */
+    /** A stopped converter refuses presses. */
     private static void pressIfRunning(SteppedRoomba stepped, String event) {
         if (stepped.roomba.converter().status().loop() == LoopState.RUNNING) {
             stepped.press(event);

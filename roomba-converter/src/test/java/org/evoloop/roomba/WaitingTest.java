@@ -14,7 +14,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A service whose robot is not there yet. */
+/** A service whose robot is not yet connected. */
 @EnabledOnOs(OS.LINUX)
 @Timeout(180)
 class WaitingTest {

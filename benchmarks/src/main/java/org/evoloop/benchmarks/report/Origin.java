@@ -39,7 +39,7 @@ public record Origin(String machine, String commit, String day) {
                     .findFirst()
                     .map(line -> line.substring(line.indexOf(':') + 1).trim() + ", ")
                     .orElse("");
-        } catch (IOException noneTold) {
+        } catch (IOException noGit) {
             return "";
         }
     }
@@ -52,8 +52,8 @@ public record Origin(String machine, String commit, String day) {
             Process git = new ProcessBuilder(command)
                     .redirectError(ProcessBuilder.Redirect.DISCARD)
                     .start();
-            String told = new String(git.getInputStream().readAllBytes(), StandardCharsets.UTF_8).trim();
-            return git.waitFor() == 0 ? told : UNKNOWN;
+            String output = new String(git.getInputStream().readAllBytes(), StandardCharsets.UTF_8).trim();
+            return git.waitFor() == 0 ? output : UNKNOWN;
         } catch (IOException noGit) {
             return UNKNOWN;
         }

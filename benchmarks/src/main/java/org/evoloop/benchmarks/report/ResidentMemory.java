@@ -25,6 +25,6 @@ public final class ResidentMemory {
                 return Double.parseDouble(line.replaceAll("[^0-9]", "")) / 1024;
             }
         }
-        throw new IOException(status + " tells no VmHWM");
+        throw new IOException(status + " has no VmHWM");
     }
 }

@@ -51,13 +51,13 @@ final class BareFlood {
         for (int index = 0; index < Flood.MONITORS; index++) {
             int monitor = index;
             long[] number = {0};
-            begin("monitor-" + monitor, () -> tell(new Flood.NumberedEvent(monitor, ++number[0])));
+            begin("monitor-" + monitor, () -> report(new Flood.NumberedEvent(monitor, ++number[0])));
         }
     }
 
     @SuppressWarnings("ThreadPriorityCheck") // else monitors would take all processors, and the ring would starve
-    private void tell(Flood.NumberedEvent told) {
-        if (!queue.offer(told)) {
+    private void report(Flood.NumberedEvent event) {
+        if (!queue.offer(event)) {
             Thread.yield();
         }
     }
@@ -68,9 +68,9 @@ final class BareFlood {
     }
 
     private void third() throws InterruptedException {
-        Object told = hands[1].take();
-        flood.execute((Flood.NumberedEvent) told);
-        hands[2].give(told);
+        Object event = hands[1].take();
+        flood.execute((Flood.NumberedEvent) event);
+        hands[2].give(event);
     }
 
     private void begin(String name, Work work) {

@@ -40,7 +40,7 @@ final class LoopRing {
         LoopRing ring = new LoopRing(warmUp, rounds);
         try (SystemClock clock = new SystemClock();
                 MapeLoop<Object, Object, Object> loop = PlainLoop.build(
-                        PlainLoop.threads("ring", clock), false, List.of(ring.new Teller()), ring.new Done())) {
+                        PlainLoop.threads("ring", clock), false, List.of(ring.new Source()), ring.new Done())) {
             ring.over.await();
         }
         return new Result(ring.nanos, ring.allocatedBytes / (double) rounds);
@@ -55,7 +55,7 @@ final class LoopRing {
         return sum;
     }
 
-    private final class Teller extends Monitor<Object> {
+    private final class Source extends Monitor<Object> {
         private int round = -warmUp;
         private long begun;
         private boolean first = true;

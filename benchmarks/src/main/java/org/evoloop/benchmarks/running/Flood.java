@@ -22,11 +22,11 @@ public final class Flood {
     public record NumberedEvent(int monitor, long number) {}
 
     /** Counts an event as executed. */
-    public void execute(NumberedEvent told) {
-        if (told.number <= last[told.monitor]) {
+    public void execute(NumberedEvent event) {
+        if (event.number <= last[event.monitor]) {
             broken = true;
         }
-        last[told.monitor] = told.number;
+        last[event.monitor] = event.number;
         // Only one thread writes, so no fence is needed.
         executed.lazySet(executed.getPlain() + 1);
     }

@@ -13,15 +13,15 @@ import org.evoloop.time.SystemClock;
 public final class FloodedLoop implements AutoCloseable {
     private final SystemClock clock = new SystemClock();
     private final MapeLoop<Flood.NumberedEvent, Flood.NumberedEvent, Flood.NumberedEvent> loop;
-    private final List<Teller> tellers = new ArrayList<>();
+    private final List<Source> sources = new ArrayList<>();
     private final Flood flood = new Flood();
 
     public FloodedLoop(boolean threads) {
         LoopConfig config = PlainLoop.threads("flood", clock).withQueueCapacity(Flood.CAPACITY);
         for (int index = 0; index < Flood.MONITORS; index++) {
-            tellers.add(new Teller(index));
+            sources.add(new Source(index));
         }
-        loop = PlainLoop.build(threads ? config : config.withoutThreads(), true, tellers, new Count());
+        loop = PlainLoop.build(threads ? config : config.withoutThreads(), true, sources, new Count());
     }
 
     /** Events per second with threads, after a warm-up. */
@@ -35,8 +35,8 @@ public final class FloodedLoop implements AutoCloseable {
     double inSteps(long wanted) throws InterruptedException {
         long begun = System.nanoTime();
         while (flood.executed() < wanted) {
-            for (Teller teller : tellers) {
-                loop.observe(teller);
+            for (Source source : sources) {
+                loop.observe(source);
             }
             for (int index = 0; index < Flood.MONITORS; index++) {
                 loop.step();
@@ -53,11 +53,11 @@ public final class FloodedLoop implements AutoCloseable {
         clock.close();
     }
 
-    private static final class Teller extends Monitor<Flood.NumberedEvent> {
+    private static final class Source extends Monitor<Flood.NumberedEvent> {
         private final int index;
         private long number;
 
-        Teller(int index) {
+        Source(int index) {
             super("Teller" + index);
             this.index = index;
         }
@@ -70,8 +70,8 @@ public final class FloodedLoop implements AutoCloseable {
 
     private final class Count extends Execute<Flood.NumberedEvent> {
         @Override
-        protected void execute(Flood.NumberedEvent told) {
-            flood.execute(told);
+        protected void execute(Flood.NumberedEvent event) {
+            flood.execute(event);
         }
     }
 }

@@ -13,7 +13,7 @@ final class SteppedLoop implements AutoCloseable {
 
     private final SystemClock clock = new SystemClock();
     private final MapeLoop<Object, Object, Object> loop;
-    private final Monitor<Object> monitor = new Teller();
+    private final Monitor<Object> monitor = new Source();
     private long executed;
 
     SteppedLoop() {
@@ -36,7 +36,7 @@ final class SteppedLoop implements AutoCloseable {
         clock.close();
     }
 
-    private static final class Teller extends Monitor<Object> {
+    private static final class Source extends Monitor<Object> {
         @Override
         protected Object getEvent() {
             return TOKEN;

@@ -31,7 +31,7 @@ class WalkerTest {
         assertThat(round(library.walk(chain), chain)).isEqualTo(1);
     }
 
-    /** Exact on any machine, busy or not. */
+    /** Exact on any machine, however busy. */
     @Test
     void ourDecisionsAllocateNothing() {
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();

@@ -22,7 +22,7 @@ import org.w3c.dom.NodeList;
 class SpeedPlotTest {
     private static final Origin ORIGIN = new Origin("JDK 17 & 2 processors", "abc1234", "2026-01-02");
 
-    /** All results that are kept can be drawn: a change of a row's name would be seen here. */
+    /** All stored results can be drawn; this fails if a row is renamed. */
     @Test
     void drawsEveryRunThatIsKept() throws Exception {
         Path kept = Path.of(System.getProperty("evoloop.root"), "benchmarks", "results");
@@ -41,7 +41,7 @@ class SpeedPlotTest {
     }
 
     @Test
-    void putsTheQuickestFirstAndTellsTheGoals() throws Exception {
+    void putsTheQuickestFirstAndShowsTheGoals() throws Exception {
         List<String> texts = texts(SpeedPlot.svg(new Results(
                 ORIGIN,
                 List.of(

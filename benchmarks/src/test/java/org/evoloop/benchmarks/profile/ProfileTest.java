@@ -27,7 +27,7 @@ class ProfileTest {
 
         String spin = ProfileTest.class.getName() + ".spin";
         assertThat(profile.samples().keySet())
-                .as("ways of calls, from what was measured on; the result is %s, %s", sum, last.length)
+                .as("call stacks, from the measured method on; the result is %s, %s", sum, last.length)
                 .anySatisfy(stack -> assertThat(stack.methods()).contains(spin))
                 .noneSatisfy(stack -> assertThat(stack.methods()).contains(Recorder.class.getName() + ".record"));
         assertThat(profile.allocations()).containsKey(new Profile.Allocation("long[]", spin));

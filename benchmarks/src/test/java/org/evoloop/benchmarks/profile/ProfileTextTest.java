@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 
 class ProfileTextTest {
     @Test
-    void tellsWhoRanAndWhoHadCalled() {
+    void showsWhatRanAndItsCallers() {
         Profile profile = new Profile(
                 new Load(0.5, 0.25),
                 Map.of(

@@ -6,7 +6,7 @@ import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
 
-/** What is allocated on the way of an event is exact on any machine, busy or not. */
+/** The bytes allocated per event are exact on any machine, however busy. */
 class AllocationTest {
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     private static final int TIMES = 20_000;
@@ -16,7 +16,7 @@ class AllocationTest {
     }
 
     private static double bytesEach(Work work) throws InterruptedException {
-        // The first rounds fill queues and books that stay.
+        // The first rounds fill queues and records that are kept.
         for (int time = 0; time < TIMES; time++) {
             work.run();
         }
@@ -30,7 +30,7 @@ class AllocationTest {
     @Test
     void aCycleOfTheLoopAllocatesNothing() throws InterruptedException {
         try (SteppedLoop loop = new SteppedLoop()) {
-            // Less than one: the reading of the counter itself may cost something once.
+            // Less than one, not zero: reading the counter may itself allocate once.
             assertThat(bytesEach(loop::cycle)).isLessThan(1);
         }
     }

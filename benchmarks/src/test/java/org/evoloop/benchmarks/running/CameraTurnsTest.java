@@ -15,7 +15,7 @@ class CameraTurnsTest {
     private final SplittableRandom random = new SplittableRandom(SEED);
     private final CameraTurns turns = new CameraTurns();
 
-    /** Events of 50 to 70 us in turns that differ by up to 10 us, as those of a machine do. */
+    /** Events of 50 to 70 us, in turns that differ by up to 10 us as on a real machine. */
     private Histogram turn(long moreNanos, double late, long lateNanos) {
         Histogram nanos = new Histogram(1_000_000_000L, 3);
         long turnNanos = random.nextLong(10_000);

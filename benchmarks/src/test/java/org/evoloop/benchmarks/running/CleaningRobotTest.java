@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What the benchmarks measure is what they say. */
+/** The benchmarks measure what they claim to. */
 class CleaningRobotTest {
     private static final Configuration ON = new Configuration(new State("On"), new State("On"));
 

@@ -40,7 +40,7 @@ class SoakTest {
     }
 
     @Test
-    void tellsWhatHasGrown() {
+    void reportsWhatHasGrown() {
         assertThat(results(0).grown()).isEmpty();
         assertThat(results(0.5).grown()).containsExactly("heap after a collection, in MB: from 12.0 to 17.0");
     }

@@ -28,7 +28,7 @@ import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Everything that a module exports has a comment, and its types say since when they exist. */
+/** Everything that a module exports has a comment, and its types have {@code @since}. */
 class JavadocTest {
     private static final Path ROOT = Path.of(System.getProperty("evoloop.root"));
 
@@ -114,7 +114,7 @@ class JavadocTest {
         return (JavacTask) compiler.getTask(null, files, null, null, null, files.getJavaFileObjectsFromPaths(sources));
     }
 
-    /** Packages that everybody may use; those for one other module are not API. */
+    /** Packages exported to everyone; those exported to one module only are not API. */
     private static List<Path> exported(JavaCompiler compiler, StandardJavaFileManager files, Path module)
             throws IOException {
         List<Path> folders = new ArrayList<>();
@@ -130,7 +130,7 @@ class JavadocTest {
         return folders;
     }
 
-    /** Goes through what is public or protected all the way. */
+    /** Visits members that are public or protected, as are all their enclosing types. */
     private static final class Members extends TreePathScanner<Void, Void> {
         private final DocTrees comments;
         private final List<String> found;
@@ -174,7 +174,7 @@ class JavadocTest {
             return null;
         }
 
-        /** The record's own comment explains its components, and what is refused. */
+        /** The record's own comment explains its components and the values that it refuses. */
         private boolean isCompactConstructor(MethodTree method) {
             if (owner().getKind() != Tree.Kind.RECORD || !method.getName().contentEquals("<init>")) {
                 return false;

@@ -45,7 +45,7 @@ class RoombaEdgeTest {
     private final List<Process> processes = new ArrayList<>();
 
     @Test
-    void whatIsPressedAtTheRobotIsDecidedByTheFleetOnceWhateverIsKilled() throws Exception {
+    void aPressAtTheRobotIsDecidedByTheFleetOnceWhicheverProcessIsKilled() throws Exception {
         try (Mosquitto mosquitto = new Mosquitto(directory).start();
                 Cluster cluster = Cluster.fresh(2);
                 Fleet fleet = new Fleet(Brokers.shared(), settings(cluster))) {

@@ -18,7 +18,7 @@ class BadRecordsTest {
     private Path directory;
 
     @Test
-    void eachBadRecordBecomesADeadLetterAndStopsNobody() throws Exception {
+    void eachBadRecordBecomesADeadLetterAndBlocksNoOther() throws Exception {
         try (RunningFleet fleet = new RunningFleet(directory)) {
             fleet.publish("lamp-1", Models.LAMP.bytes());
             fleet.register("good", "lamp-1");

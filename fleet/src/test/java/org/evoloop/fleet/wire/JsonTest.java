@@ -14,7 +14,7 @@ class JsonTest {
     private static final JsonMapper MAPPER = new JsonMapper();
 
     @Test
-    void membersComeInTheOrderInWhichTheyAreTold() {
+    void membersComeInTheOrderInWhichTheyAreWritten() {
         Json json = new Json().with("b", 1).with("a", "x").begin("in").with("c", true);
         json.end().with("list", List.of("p", "q")).withText("none", "").with("d", -0.5);
         json.beginList("things").element().with("n", 1).end();

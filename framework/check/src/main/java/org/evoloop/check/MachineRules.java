@@ -179,14 +179,14 @@ final class MachineRules {
 
     private void overlaps(List<Transition> outgoing) {
         Map<Event, Transition> guarded = new HashMap<>();
-        Set<Event> told = new HashSet<>();
+        Set<Event> reported = new HashSet<>();
         for (Transition transition : outgoing) {
             Event trigger = transition.event().trigger();
             if (transition.event().guards().isEmpty() || guards.shadowOf(transition) != null) {
                 continue;
             }
             Transition before = guarded.putIfAbsent(trigger, transition);
-            if (before != null && !before.target().equals(transition.target()) && told.add(trigger)) {
+            if (before != null && !before.target().equals(transition.target()) && reported.add(trigger)) {
                 findings.add(new Finding(
                         Rule.GUARD_OVERLAP,
                         element(transition),

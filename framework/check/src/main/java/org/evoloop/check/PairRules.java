@@ -164,7 +164,7 @@ final class PairRules {
                     && !unsendable.contains(transition.event().trigger())
                     && guards.shadowOf(transition) == null
                     && visited.contains(transition.source())
-                    && !isToldOtherwise(transition)) {
+                    && !isReportedOtherwise(transition)) {
                 findings.add(new Finding(
                         Rule.DEGRADATION,
                         new Element.OfTransition(Element.ModelRole.ORIGINAL, transition),
@@ -177,7 +177,7 @@ final class PairRules {
     /**
      * A state of the device that the new model never enters is reported as an unreachable state, or as having no path.
      */
-    private boolean isToldOtherwise(Transition transition) {
+    private boolean isReportedOtherwise(Transition transition) {
         return !isEntered(transition.source())
                 || !isEntered(transition.target())
                 || unreached.contains(transition.target());

@@ -38,7 +38,7 @@ public record RuleSwitches(String file, List<RuleSwitch> all, String rest) {
         List<String> lines = text.lines().toList();
         for (int first = 0; first < lines.size(); ) {
             int end = first + 1;
-            while (end < lines.size() && goesOn(lines.get(end))) {
+            while (end < lines.size() && continues(lines.get(end))) {
                 end++;
             }
             List<String> together = lines.subList(first, end);
@@ -61,7 +61,7 @@ public record RuleSwitches(String file, List<RuleSwitch> all, String rest) {
         return new RuleSwitches(file, switches, rest.toString());
     }
 
-    private static boolean goesOn(String line) {
+    private static boolean continues(String line) {
         return !line.isBlank()
                 && Character.isWhitespace(line.charAt(0))
                 && !line.strip().startsWith("#");

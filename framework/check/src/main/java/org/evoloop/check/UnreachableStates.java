@@ -31,23 +31,23 @@ final class UnreachableStates {
      */
     Map<State, Set<State>> roots() {
         Map<State, Set<State>> roots = new LinkedHashMap<>();
-        Set<State> told = new HashSet<>(reachable);
+        Set<State> seen = new HashSet<>(reachable);
         List<State> finished = finished();
         // A state that leads to another one, but not back, has finished after it.
         for (int i = finished.size() - 1; i >= 0; i--) {
-            if (told.add(finished.get(i))) {
-                roots.put(finished.get(i), below(finished.get(i), told));
+            if (seen.add(finished.get(i))) {
+                roots.put(finished.get(i), below(finished.get(i), seen));
             }
         }
         return roots;
     }
 
-    private Set<State> below(State root, Set<State> told) {
+    private Set<State> below(State root, Set<State> seen) {
         Set<State> below = new LinkedHashSet<>();
         Queue<State> frontier = new ArrayDeque<>(List.of(root));
         for (State at = frontier.poll(); at != null; at = frontier.poll()) {
             for (Transition transition : machine.transitionsFrom(at)) {
-                if (told.add(transition.target())) {
+                if (seen.add(transition.target())) {
                     below.add(transition.target());
                     frontier.add(transition.target());
                 }

@@ -7,7 +7,7 @@ import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
 
-/** What the rules and the properties may know of each other, and of the world. */
+/** How the rules and the properties may depend on each other and on other modules. */
 @AnalyzeClasses(packages = "org.evoloop.check", importOptions = ImportOption.DoNotIncludeTests.class)
 class ArchitectureTest {
     @ArchTest

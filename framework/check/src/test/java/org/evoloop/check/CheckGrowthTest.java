@@ -11,12 +11,12 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Checks large machines; what it prints stands in docs/models.md. */
+/** Checks large machines; docs/models.md quotes its output. */
 @Tag("slow")
 class CheckGrowthTest {
     private static final int WARM_UPS = 5;
 
-    /** A ring in which every tenth state gets a new one, from where a detour of two events leads back. */
+    /** A ring in which every tenth state gets a new successor, from which a detour of two events leads back. */
     private static ModelPair ring(int size) {
         return new ModelPair(
                 around(StateMachine.named("original").initial("S0"), size).build(),

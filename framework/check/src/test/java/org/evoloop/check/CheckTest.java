@@ -32,7 +32,7 @@ class CheckTest {
         return CheckInput.of(new ModelPair(original, machine("new", evolved)));
     }
 
-    /** A lamp as it is with something drawn into it. */
+    /** The lamp with these lines added to its model. */
     private static CheckInput lampWith(String... lines) {
         return input(
                 LAMP,
@@ -153,7 +153,7 @@ class CheckTest {
                 arguments(Rule.GUARD_OVERLAP, lampWith("On dim [hot] -> Off", "On dim [full] -> On")));
     }
 
-    /** Once it is up it is to go on to the top, or back down, by nothing but the step that has failed. */
+    /** Once it is up, only the step that has failed leads on to the top or back down. */
     private static CheckInput oneWay() {
         CheckInput input = input(
                 machine("original", "Low go -> Mid", "Mid go -> Top", "Top drop -> Low"),
@@ -176,17 +176,17 @@ class CheckTest {
 
     @ParameterizedTest(name = "{0}")
     @MethodSource("pairsThatBreakOneRule")
-    void aPairThatBreaksOneRuleIsToldOfNothingElse(Rule rule, CheckInput input) {
+    void aPairThatBreaksOneRuleHasNoOtherFinding(Rule rule, CheckInput input) {
         assertThat(Check.run(input)).extracting(Finding::rule).containsExactly(rule);
     }
 
-    /** What is written beside the models, and what takes time. */
+    /** Rules about property files and about time, which have their own tests. */
     private static final Set<Rule> JUDGED_ELSEWHERE =
             Set.of(Rule.PROPERTY, Rule.TIME_DEADLOCK, Rule.TIMER_RACE, Rule.STEP_OUTLIVES_VISIT);
 
     @ParameterizedTest
     @EnumSource(Rule.class)
-    void everyRuleHasAPairThatBreaksItAndStandsInTheTable(Rule rule) throws IOException {
+    void everyRuleHasAPairThatBreaksItAndIsInTheTable(Rule rule) throws IOException {
         if (!JUDGED_ELSEWHERE.contains(rule)) {
             assertThat(pairsThatBreakOneRule()).anyMatch(arguments -> arguments.get()[0] == rule);
         }
@@ -275,7 +275,7 @@ class CheckTest {
     }
 
     @Test
-    void aFindingNamesMachineElementAndMend() {
+    void aFindingNamesMachineElementAndRemedy() {
         assertThat(Check.run(lampWith("On dim -> Warm"))).singleElement().satisfies(finding -> {
             assertThat(finding)
                     .hasToString(

@@ -11,7 +11,7 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.xmi.ChartText;
 import org.junit.jupiter.api.Test;
 
-/** Whose state a state is, where it is drawn inside others, beside others, or as an end. */
+/** Which states belong to the device if they are drawn inside others, beside others, or as final states. */
 class DrawnStatesTest {
     private static final String POWER = """
             <state id="Power"><initial><transition target="Off"/></initial>
@@ -32,7 +32,7 @@ class DrawnStatesTest {
         return Check.run(CheckInput.of(new ModelPair(DEVICE, evolved)));
     }
 
-    /** UML lets states in different places have one name; SCXML does not, so one is renamed here. */
+    /** UML allows equal names for states in different places; SCXML does not, so one is renamed here. */
     private static StateMachine withASecondOn() {
         StateMachine drawn = scxml(
                 "Power",
@@ -58,7 +58,7 @@ class DrawnStatesTest {
         assertThat(Check.run(CheckInput.of(pair))).isEmpty();
     }
 
-    /** The new model's {@code On} is another one; the device's goes by its path. */
+    /** The new model's {@code On} is a different state; the device's is found by its path. */
     @Test
     void aNameThatTheNewModelNeedsForAnotherStateIsLeftToIt() {
         StateMachine evolved = scxml(
@@ -75,7 +75,7 @@ class DrawnStatesTest {
     }
 
     @Test
-    void aRegionBesideTheDevicesStatesIsToldAsThatAndOnce() {
+    void aRegionBesideTheDevicesStatesIsReportedAsSuchOnce() {
         StateMachine evolved = scxml("P", "<parallel id=\"P\">" + POWER + """
                         <state id="Lamp"><initial><transition target="Dark"/></initial>
                           <state id="Dark"><transition event="light" target="Lit"/></state>
@@ -96,7 +96,7 @@ class DrawnStatesTest {
     }
 
     @Test
-    void aStateThatIsDividedOrSpeltOtherwiseIsToldAsThat() {
+    void aStateThatIsDividedOrSpeltDifferentlyIsReportedAsSuch() {
         String divided = POWER.replace(
                 "<state id=\"On\">",
                 "<state id=\"On\"><initial><transition target=\"Dim\"/></initial>"

@@ -3,7 +3,7 @@ package org.evoloop.check;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.StateMachineBuilder;
 
-/** A lamp and its button, which tests give further states. */
+/** A lamp with a button, to which tests add states. */
 public final class Lamp {
     private Lamp() {}
 

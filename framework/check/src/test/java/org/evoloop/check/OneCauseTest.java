@@ -10,7 +10,7 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.StateMachine;
 import org.junit.jupiter.api.Test;
 
-/** One mistake is told once, whatever follows from it. */
+/** A mistake is reported once, whatever follows from it. */
 class OneCauseTest {
     private static List<Finding> check(StateMachine original, StateMachine evolved) {
         return Check.run(CheckInput.of(new ModelPair(original, evolved)));
@@ -21,7 +21,7 @@ class OneCauseTest {
     }
 
     @Test
-    void statesThatOnlyAnUnreachableStateLeadsToAreToldWithIt() {
+    void statesThatOnlyAnUnreachableStateLeadsToAreReportedWithIt() {
         String[] lamp = {"Off press -> On", "On press -> Off"};
         String[] lost = {"C up -> D", "A up -> B", "B up -> C", "D up -> B", "E up -> A"};
 
@@ -33,7 +33,7 @@ class OneCauseTest {
     }
 
     @Test
-    void whatTheNewModelHasTakenOverIsToldOnce() {
+    void whatTheNewModelHasTakenOverIsReportedOnce() {
         String[] device = {
             "Off press -> On",
             "On press -> Off",
@@ -51,7 +51,7 @@ class OneCauseTest {
     }
 
     @Test
-    void aStateThatTheNewModelNeverEntersIsNotToldAgainByWhatItsTransitionsDid() {
+    void aStateThatTheNewModelNeverEntersIsNotReportedAgainForItsTransitions() {
         StateMachine device = machine(
                 "original",
                 "On go -> Clean",
@@ -77,7 +77,7 @@ class OneCauseTest {
                         "unreachable-state: no sequence of events leads to state Clean of the new model, nor to Deep");
     }
 
-    /** Every way begins with it. */
+    /** Every path begins with it. */
     @Test
     void anEventThatCannotBeSentIsOneCauseHoweverManyStatesItKeepsAway() {
         String[] device = {"Off wake -> A", "A one -> B", "B two -> C", "C three -> D", "D off -> Off"};
@@ -98,7 +98,7 @@ class OneCauseTest {
     }
 
     @Test
-    void whatWasMeantAsATimeTriggerIsNotAlsoAnEventThatNobodyRaises() {
+    void whatWasMeantAsATimeTriggerIsNotAlsoAnEventThatIsNeverRaised() {
         StateMachine device = machine("original", "Off press -> On", "On press -> Off");
         StateMachine system = machine("new", "Off press -> On", "On press -> Off", "On tm_3s -> Off");
 

@@ -32,8 +32,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Random single changes to the new model of the cleaning robot: whatever passes the checks can be built, and whatever
- * the controller, the functions and the device do then, no event fails.
+ * Random single changes to the new model of the cleaning robot: every mutant that passes the checks can be built, and
+ * then no event fails, whatever the controller, the functions and the device do.
  */
 class MutationTest {
     private static final int MUTANTS = 200;
@@ -48,14 +48,14 @@ class MutationTest {
     @MethodSource("seeds")
     void whatPassesTheChecksDoesNotFail(long seed) throws InterruptedException {
         Random random = new Random(seed);
-        Map<Rule, Integer> told = new EnumMap<>(Rule.class);
+        Map<Rule, Integer> counts = new EnumMap<>(Rule.class);
         Map<String, Integer> verdicts = new TreeMap<>();
         for (int number = 0; number < MUTANTS; number++) {
             Mutant mutant = Mutant.of(PaperModels.cleaningRobot().evolved(), random);
             String what = "mutant " + number + " with seed " + seed + ": " + mutant.change();
             ModelPair pair = new ModelPair(PaperModels.cleaningRobot().original(), mutant.machine());
             List<Finding> findings = Check.run(input(pair));
-            findings.forEach(finding -> told.merge(finding.rule(), 1, Integer::sum));
+            findings.forEach(finding -> counts.merge(finding.rule(), 1, Integer::sum));
             boolean passes =
                     findings.stream().noneMatch(finding -> finding.rule().severity() == Rule.Severity.ERROR);
             boolean clean = findings.stream().allMatch(finding -> finding.rule().severity() == Rule.Severity.NOTE);
@@ -69,7 +69,7 @@ class MutationTest {
                 }
             }
         }
-        System.out.println("seed " + seed + ": " + verdicts + " " + told);
+        System.out.println("seed " + seed + ": " + verdicts + " " + counts);
         assertThat(verdicts).containsKeys("clean", "refused", "warned of");
     }
 
@@ -99,7 +99,8 @@ class MutationTest {
                 try {
                     mutant = attempt(machine, random);
                 } catch (ModelException refused) {
-                    // Two transitions of a state on one event: no such model can be loaded. Another change is drawn.
+                    // Two transitions of a state on the same event: such a model cannot be loaded. Tries another
+                    // change.
                     mutant = null;
                 }
             }
@@ -164,7 +165,7 @@ class MutationTest {
         }
     }
 
-    /** A converter without threads, its device following the original model to the letter. */
+    /** A converter without threads, whose device follows the original model exactly. */
     private static final class Walk implements AutoCloseable {
         private final ModelPair pair;
         private final Random random;

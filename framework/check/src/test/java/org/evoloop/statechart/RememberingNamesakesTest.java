@@ -21,12 +21,12 @@ import org.evoloop.statemachine.StateMachine;
 import org.junit.jupiter.api.Test;
 
 /**
- * The device's states are found by where they are drawn, though the new model remembers, and uses their names again.
+ * The device's states are found by their position, although the new model has history states and reuses their names.
  */
 class RememberingNamesakesTest {
     private static final State OUT = new State("Out");
 
-    /** Off and On in C, and Out beside it. */
+    /** Off and On in C, with Out beside it. */
     private static ChartState power(String entry, Kind kind) {
         return state(
                 "Power",
@@ -49,7 +49,7 @@ class RememberingNamesakesTest {
                 arc("x Off")));
     }
 
-    /** Comes back to where it was, and has another Out. */
+    /** A model that returns to the state where it was, and has a second Out. */
     private static StateMachine remembering() {
         return Flattening.flatten(chart(
                 region(
@@ -69,7 +69,7 @@ class RememberingNamesakesTest {
     }
 
     @Test
-    void shouldFindTheDevicesStateWhateverIsRememberedInIt() {
+    void shouldFindTheDevicesStateForEveryRememberedState() {
         assertThat(remembering().states()).extracting(State::name).contains("Extra.Out", "Power.Out [history On]");
 
         ModelPair pair = new ModelPair(device(), remembering());

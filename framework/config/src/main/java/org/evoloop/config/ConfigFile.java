@@ -61,7 +61,7 @@ final class ConfigFile {
         } catch (MarkedYamlEngineException malformed) {
             mistakes.missSomething();
             Optional<Mark> place = malformed.getProblemMark().or(malformed::getContextMark);
-            reader.mistake(place, Syntax.told(malformed.getProblem()));
+            reader.mistake(place, Syntax.message(malformed.getProblem()));
         } catch (YamlEngineException unreadable) {
             mistakes.missSomething();
             mistakes.at(Origin.COMMAND_LINE, file + ": cannot be read as options: " + unreadable.getMessage());

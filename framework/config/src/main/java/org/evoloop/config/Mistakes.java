@@ -27,7 +27,7 @@ public final class Mistakes {
 
     private final Map<String, Origin> given = new HashMap<>();
     private final Set<String> faulty = new HashSet<>();
-    private final List<Mistake> told = new ArrayList<>();
+    private final List<Mistake> found = new ArrayList<>();
     private boolean somethingIsMissing;
 
     private record Mistake(Origin place, String text) {}
@@ -50,7 +50,7 @@ public final class Mistakes {
 
     /** Adds a mistake at a place. */
     void at(Origin place, String mistake) {
-        told.add(new Mistake(place, place.tell(mistake)));
+        found.add(new Mistake(place, place.describe(mistake)));
     }
 
     /** Adds a mistake in one option's value: nothing else about this option is reported. */
@@ -113,9 +113,9 @@ public final class Mistakes {
      *
      * @throws ConfigException if there are any
      */
-    public void tell() {
-        if (!told.isEmpty()) {
-            throw new ConfigException(told.stream()
+    public void throwIfAny() {
+        if (!found.isEmpty()) {
+            throw new ConfigException(found.stream()
                     .sorted(Comparator.comparingInt(each -> each.place().line()))
                     .map(Mistake::text)
                     .distinct()

@@ -136,7 +136,7 @@ public final class Options {
             mistakes.tried(secret.file().name(), IllegalArgumentException.class::isInstance, () -> secret.in(settings));
         }
         checks.forEach(check -> check.check(settings, mistakes));
-        mistakes.tell();
+        mistakes.throwIfAny();
         return settings;
     }
 

@@ -21,7 +21,7 @@ record Origin(@Nullable Path file, int line) {
     }
 
     /** The mistake with options named as in this place: {@code --port} is {@code port} in a file. */
-    String tell(String mistake) {
+    String describe(String mistake) {
         return isFile() ? this + ": " + mistake.replaceAll("(?<![\\w-])--(?=[a-z])(?!help\\b)", "") : mistake;
     }
 

@@ -4,7 +4,7 @@ package org.evoloop.config;
 final class Syntax {
     private Syntax() {}
 
-    static String told(String problem) {
+    static String message(String problem) {
         return "this is not YAML: " + problem + "; " + remedy(problem);
     }
 

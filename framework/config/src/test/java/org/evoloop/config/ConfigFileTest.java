@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Files that are fine, and files that are not: one message that names the line. */
+/** Valid files, and invalid ones, for which one message names the line. */
 @Timeout(60)
 class ConfigFileTest {
     @TempDir
@@ -33,7 +33,7 @@ class ConfigFileTest {
                 .isInstanceOf(ConfigException.class)
                 .message()
                 .satisfies(
-                        told -> assertThat(told.replace(file.toString(), "F")).isEqualTo(message));
+                        error -> assertThat(error.replace(file.toString(), "F")).isEqualTo(message));
     }
 
     @Test
@@ -107,12 +107,12 @@ class ConfigFileTest {
         "'simulate: true\n---\nport: a', F:2:, second document",
         "'simulate: true\n? [a]\n: b', F:2:, name is expected",
     })
-    void whatIsNoMappingOfTextsIsRefusedWhereItStands(String text, String place, String remedy) throws IOException {
+    void whatIsNotAMappingOfTextsIsRefusedWithItsPlace(String text, String place, String remedy) throws IOException {
         Path file = file(text.replace("\\t", "\t"));
         assertThatThrownBy(() -> FanOptions.read("--config", file.toString()))
                 .isInstanceOf(ConfigException.class)
                 .message()
-                .satisfies(told -> assertThat(told.replace(file.toString(), "F"))
+                .satisfies(error -> assertThat(error.replace(file.toString(), "F"))
                         .contains(place)
                         .contains(remedy));
     }

@@ -13,7 +13,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** A file of any bytes is refused with its name, or it is read, printed, and read again as the same. */
+/** Any bytes are either refused with the file's name, or read, printed, and read again with the same result. */
 @Timeout(value = 30, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class ConfigFuzzTest {
     @MethodSource("seeds")

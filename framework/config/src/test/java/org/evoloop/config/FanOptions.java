@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
-/** The options of a program for a fan, with one of each kind. */
+/** The options of a program for a fan, one of each kind. */
 final class FanOptions {
     static final Option<Boolean> START = Option.flag("start", "Starts at once.");
     static final Option<Boolean> SIMULATE =

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Everything that is wrong is told at once, wherever it stands. */
+/** All mistakes are reported at once, wherever they are. */
 class MistakesTest {
     @TempDir
     private Path folder;
@@ -35,20 +35,20 @@ class MistakesTest {
         assertThatThrownBy(() -> FanOptions.read("--strat", "--config", file.toString(), "--fan-password-file"))
                 .isInstanceOf(ConfigException.class)
                 .message()
-                .satisfies(
-                        told -> assertThat(told.replace(folder.toString(), "D").lines())
-                                .containsExactlyInAnyOrder(
-                                        "the options have 9 mistakes:",
-                                        "  --fan-password-file needs a value: --fan-password-file FILE",
-                                        "  there is no option --strat; did you mean start?",
-                                        "  D/fan.yaml:1: there is no option spede; did you mean speed?",
-                                        "  D/fan.yaml:2: speed is 12, allowed is 1 to 9",
-                                        "  D/fan.yaml:3: fan-speed is given twice, first in line 2; keep one",
-                                        "  D/fan.yaml:4: say which fan: port PATH or simulate",
-                                        "  D/fan.yaml:6: models is D/gone.xml, which does not exist; correct the path",
-                                        "  D/fan.yaml:9: a value is expected, not a mapping; an option takes text, "
-                                                + "true or false, or a list of texts",
-                                        "  D/fan.yaml:10: journal takes one value, not a list"));
+                .satisfies(error -> assertThat(
+                                error.replace(folder.toString(), "D").lines())
+                        .containsExactlyInAnyOrder(
+                                "the options have 9 mistakes:",
+                                "  --fan-password-file needs a value: --fan-password-file FILE",
+                                "  there is no option --strat; did you mean start?",
+                                "  D/fan.yaml:1: there is no option spede; did you mean speed?",
+                                "  D/fan.yaml:2: speed is 12, allowed is 1 to 9",
+                                "  D/fan.yaml:3: fan-speed is given twice, first in line 2; keep one",
+                                "  D/fan.yaml:4: say which fan: port PATH or simulate",
+                                "  D/fan.yaml:6: models is D/gone.xml, which does not exist; correct the path",
+                                "  D/fan.yaml:9: a value is expected, not a mapping; an option takes text, "
+                                        + "true or false, or a list of texts",
+                                "  D/fan.yaml:10: journal takes one value, not a list"));
     }
 
     @ParameterizedTest

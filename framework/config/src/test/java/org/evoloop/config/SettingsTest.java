@@ -13,7 +13,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What is in force, where it came from, and that it can be given back. */
+/** Which values are in force, where they came from, and that they can be written back to a file. */
 class SettingsTest {
     @TempDir
     private Path folder;

@@ -5,7 +5,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 
-/** An output that remembers what was printed. */
+/** A stream that records what is printed. */
 final class Captured {
     private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     final PrintStream stream = new PrintStream(bytes, true, StandardCharsets.UTF_8);

@@ -11,7 +11,7 @@ import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Whatever is typed, each line is performed, or answered by one line that says why not. */
+/** Each typed line is either executed or answered with one line that says why not. */
 @Timeout(30)
 class CommandsFuzzTest {
 

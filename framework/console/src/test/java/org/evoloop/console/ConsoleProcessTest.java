@@ -15,8 +15,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The console in a process of its own, at the other end of pipes. */
-@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // nothing interrupts who reads a pipe
+/** The console in a process of its own, connected by pipes. */
+@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // reading from a pipe cannot be interrupted
 class ConsoleProcessTest {
     private static final int SIGINT = 2;
 
@@ -89,7 +89,7 @@ class ConsoleProcessTest {
         assertEndsInOrder();
     }
 
-    /** What a program ignores its children ignore. */
+    /** Child processes inherit ignored signals. */
     private static boolean ignoresControlC() throws IOException {
         Path status = Path.of("/proc/self/status");
         if (!Files.exists(status)) {

@@ -10,7 +10,7 @@ final class ConsoleProgram {
     public static void main(String[] arguments) {
         LampConverter lamp = new LampConverter(LoopConfig.defaults("lamp", new SystemClock()));
         Console console = new Console(lamp.converter, System.in, System.out, System.err);
-        console.addCommand(ConsoleCommand.of("jline", "tells whether there is JLine", (words, out) -> {
+        console.addCommand(ConsoleCommand.of("jline", "says whether JLine is present", (words, out) -> {
             try {
                 out.println(Class.forName("org.jline.reader.LineReader").getSimpleName());
             } catch (ClassNotFoundException none) {

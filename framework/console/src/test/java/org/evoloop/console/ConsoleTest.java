@@ -17,7 +17,7 @@ import org.evoloop.statemachine.ModelException;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
 
-/** The console as programs use it: lines in, lines out. */
+/** The console as used by programs: lines in, lines out. */
 class ConsoleTest {
     private static final String FRESH_COMPONENTS = """
             monitor     WallSwitch    ended    no thread
@@ -46,7 +46,7 @@ class ConsoleTest {
     }
 
     @Test
-    void startAndStopOpenAndCloseTheLoopAndWhoeverPressesMeanwhileIsTold() {
+    void startAndStopOpenAndCloseTheLoopAndPressesMeanwhileAreRefused() {
         run("switch", "start", "switch", "stop", "switch", "status --all");
 
         assertThat(err.lines())
@@ -105,7 +105,7 @@ class ConsoleTest {
     }
 
     @Test
-    void exchangeTellsWhatThereIsWhenTheNameIsWrong() {
+    void exchangeListsTheComponentsWhenTheNameIsWrong() {
         run("exchange WallSwitch Nothing", "exchange Nobody spareSwitch");
 
         assertThat(err.lines())
@@ -168,7 +168,7 @@ class ConsoleTest {
     }
 
     @Test
-    void aMistakeIsOneLineOfErrorAndTheConsoleGoesOn() {
+    void aMistakeIsOneLineOfErrorAndTheConsoleContinues() {
         run(
                 "dance",
                 "help swich",
@@ -206,7 +206,7 @@ class ConsoleTest {
     }
 
     @Test
-    void aCommandThatFailsTellsItsMessageAndNoStackTrace() {
+    void aCommandThatFailsPrintsItsMessageAndNoStackTrace() {
         Console console = console(input("state", "argument", "model", "io", "bug", "list"));
         console.addCommand(failing("state", new IllegalStateException("not now")));
         console.addCommand(failing("argument", new IllegalArgumentException("not that")));
@@ -259,7 +259,7 @@ class ConsoleTest {
     }
 
     @Test
-    void anInputThatBreaksIsToldAndGivesAnotherExitStatus() {
+    void anInputThatFailsIsReportedAndGivesAnotherExitStatus() {
         InputStream unplugged = new PipedInputStream();
 
         assertThat(console(unplugged).run()).isEqualTo(1);

@@ -17,7 +17,7 @@ import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A lamp that gets other models by its console. */
+/** A lamp whose models are replaced from its console. */
 class EvolveCommandsTest {
     @TempDir
     private Path directory;
@@ -88,7 +88,7 @@ class EvolveCommandsTest {
     }
 
     @Test
-    void aShadowIsToldTheSameAndPromoted() {
+    void aShadowGetsTheSameInputsAndIsPromoted() {
         run(
                 "start",
                 "shadow",

@@ -6,7 +6,7 @@ import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.loop.LoopConfig;
 
-/** The converter of the paper's light bulb, with a wall switch and two spares for it. */
+/** The converter of the paper's light bulb, with a wall switch and two spare ones. */
 final class LampConverter {
     final PushMonitor wallSwitch = new PushMonitor("WallSwitch");
     final SystemEventConverter converter;
@@ -22,7 +22,7 @@ final class LampConverter {
         converter.build();
     }
 
-    /** Presses the switch and converts what waits, in a converter without threads. */
+    /** A command that presses the switch and processes the event, in a converter without threads. */
     ConsoleCommand switchCommand() {
         return ConsoleCommand.of("switch", "operates the wall switch\nlike a finger", (arguments, out) -> {
             wallSwitch.press("switch");

@@ -4,7 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 
-/** What a terminal is told to show; a test waits here until something is to be seen. */
+/** A terminal's output; a test can wait here for some text. */
 final class Screen extends OutputStream {
     private static final long PATIENCE_MILLIS = 20_000;
 
@@ -17,7 +17,7 @@ final class Screen extends OutputStream {
         notifyAll();
     }
 
-    /** Waits for {@code text} to be shown after what earlier calls have waited for; fails if it never comes. */
+    /** Waits for {@code text} after the text that earlier calls waited for; fails if it never comes. */
     synchronized void await(String text) throws InterruptedException {
         long deadline = System.nanoTime() + PATIENCE_MILLIS * 1_000_000;
         int at = text().indexOf(text, seen);
@@ -33,7 +33,7 @@ final class Screen extends OutputStream {
     }
 
     synchronized String text() {
-        // One character a byte, so that positions stay true.
+        // One character per byte, so that positions stay correct.
         return shown.toString(StandardCharsets.ISO_8859_1);
     }
 }

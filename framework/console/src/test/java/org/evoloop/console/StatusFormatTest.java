@@ -15,7 +15,7 @@ import org.evoloop.loop.QueueStatus;
 import org.evoloop.statemachine.State;
 import org.junit.jupiter.api.Test;
 
-/** What a busy converter with everything in it looks like. */
+/** The status of a busy converter that has everything. */
 class StatusFormatTest {
     private static final ConverterStatus BUSY = new ConverterStatus(
             "robot",
@@ -138,7 +138,7 @@ class StatusFormatTest {
     }
 
     @Test
-    void whatWasReadFromADeviceThatIsGoneIsNotTold() {
+    void readingsOfADeviceThatIsGoneAreNotShown() {
         Captured out = new Captured();
         ConverterStatus gone = new ConverterStatus(
                 BUSY.name(),

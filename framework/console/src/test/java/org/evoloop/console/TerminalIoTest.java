@@ -167,7 +167,7 @@ class TerminalIoTest {
     }
 
     @Test
-    void nobodyElseCanHaveTheTerminalDrawn() throws Exception {
+    void watchNeedsATerminal() throws Exception {
         Captured errors = new Captured();
         assertThat(console.perform("watch", errors.stream, errors.stream)).isEqualTo(1);
         assertThat(errors.lines()).containsExactly("error: watch needs a terminal; status prints the same once");

@@ -30,7 +30,7 @@ import org.junit.jupiter.api.Timeout;
 
 /**
  * Two converters, one on top of the other, under one console: the new model of the lower one is the original model of
- * the upper one. A lamp that only knows a switch gets a warm light from the lower, and a party from the upper.
+ * the upper one. The lower one adds a warm light to a lamp that only has a switch; the upper one adds a party.
  */
 @Timeout(60)
 class TwoConvertersTest {
@@ -67,7 +67,7 @@ class TwoConvertersTest {
         upper.build();
     }
 
-    /** Sends events to the lower converter: they have had their effect when that has dealt with them. */
+    /** Sends events to the lower converter; they have taken effect when that converter has processed them. */
     private final class Lower extends EventExecute {
         @Override
         protected Set<String> sendableEvents() {

@@ -39,7 +39,7 @@ final class ChangeLock {
                     + Thread.currentThread().getName() + "; hand the change to another thread");
         }
         if (fromWithin.getAsBoolean()) {
-            acquireUnlessTold();
+            acquireUnlessClosing();
         } else {
             lock.lock();
         }
@@ -66,14 +66,14 @@ final class ChangeLock {
         }
     }
 
-    private void acquireUnlessTold() {
+    private void acquireUnlessClosing() {
         try {
             while (!lock.tryLock(LOOK_MILLIS, TimeUnit.MILLISECONDS)) {
                 if (closing) {
                     throw refused("it is being closed");
                 }
             }
-        } catch (InterruptedException told) {
+        } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
             throw refused(Thread.currentThread().getName() + " was interrupted");
         }

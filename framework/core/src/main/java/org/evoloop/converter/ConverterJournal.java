@@ -80,7 +80,7 @@ public interface ConverterJournal {
      * @param past receives the core's outputs
      * @throws RuntimeException if it cannot be read; the message says why and what to do
      */
-    void retell(Rules rules, Past past);
+    void replay(Rules rules, Past past);
 
     /** Stops recording. Idempotent. */
     void close();

@@ -74,7 +74,7 @@ final class CoreDriver implements Intake<Occurrence>, EffectListener {
                 : journal.open(
                         rules,
                         clock,
-                        new Retelling(
+                        new Replayed(
                                 books.history(),
                                 books.latency(),
                                 rules.table().models().initial()));
@@ -410,9 +410,9 @@ final class CoreDriver implements Intake<Occurrence>, EffectListener {
             }
         }
         History past = new History(clock, count);
-        kept.retell(
+        kept.replay(
                 rules,
-                new Retelling(past, new LatencyWindow(), rules.table().models().initial()));
+                new Replayed(past, new LatencyWindow(), rules.table().models().initial()));
         past.countOn(ended(tally()));
         return past.entries();
     }

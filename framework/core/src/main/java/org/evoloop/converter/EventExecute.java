@@ -78,9 +78,9 @@ public abstract class EventExecute extends Execute<ChangePlan> {
     }
 
     private void report(boolean inOrder) {
-        EffectListener told = listener;
-        if (told != null) {
-            told.tookEffect(this, inOrder);
+        EffectListener receiver = listener;
+        if (receiver != null) {
+            receiver.tookEffect(this, inOrder);
         }
     }
 

@@ -65,9 +65,9 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     }
 
     /** Reports to the loop on the caller's thread; false if {@link #getEvent} has to, on the monitor's thread. */
-    final boolean tell(Occurrence occurrence) {
+    final boolean report(Occurrence occurrence) {
         MapeLoop<Occurrence, ?, ?> joined = loop;
-        return joined != null && joined.tell(this, occurrence);
+        return joined != null && joined.report(this, occurrence);
     }
 
     /** Whether a thread of the converter serves this monitor now, and the loop does not wait for the caller. */

@@ -154,7 +154,7 @@ final class Evolver {
             }
             try {
                 shell.driver.awaitEnded(LOOK_MILLIS);
-            } catch (InterruptedException told) {
+            } catch (InterruptedException interrupted) {
                 Thread.currentThread().interrupt();
                 throw new EvolutionException("the converter " + config.name() + " has not evolved: "
                         + Thread.currentThread().getName() + " was interrupted");

@@ -55,7 +55,7 @@ final class HistoryLine {
     /** @param earlier how many events came before those that its history counts */
     HistoryEntry toEntry(long earlier) {
         Decision decided = decision;
-        String told = detail.isEmpty() && decided != null ? detail(decided) : detail;
+        String details = detail.isEmpty() && decided != null ? detail(decided) : detail;
         return new HistoryEntry(
                 earlier + number,
                 Objects.requireNonNull(at),
@@ -63,7 +63,7 @@ final class HistoryLine {
                 Objects.requireNonNull(before),
                 Objects.requireNonNull(after),
                 Objects.requireNonNull(outcome),
-                told.isEmpty() || left.isEmpty() ? told + left : told + "; " + left,
+                details.isEmpty() || left.isEmpty() ? details + left : details + "; " + left,
                 decided,
                 Duration.ofNanos(tookNanos));
     }

@@ -46,26 +46,26 @@ final class Listeners {
     synchronized void add(ConverterListener listener) {
         all.add(listener);
         if (config.threads() && thread == null) {
-            Thread telling = OwnedThread.of(this, "mapek-" + config.name() + "-listeners", this::tell);
-            thread = telling;
-            telling.start();
+            Thread notifier = OwnedThread.of(this, "mapek-" + config.name() + "-listeners", this::run);
+            thread = notifier;
+            notifier.start();
         }
     }
 
     /** The thread ends when the last one is removed. */
     synchronized void remove(ConverterListener listener) {
         all.remove(listener);
-        Thread telling = thread;
-        if (all.isEmpty() && telling != null) {
+        Thread notifier = thread;
+        if (all.isEmpty() && notifier != null) {
             thread = null;
             waiting.clear();
-            if (telling != Thread.currentThread()) {
-                telling.interrupt();
+            if (notifier != Thread.currentThread()) {
+                notifier.interrupt();
             }
         }
     }
 
-    private void tell() {
+    private void run() {
         try {
             while (!closed && thread == Thread.currentThread()) {
                 call(waiting.take());
@@ -96,7 +96,7 @@ final class Listeners {
         return simple.isEmpty() ? listener.getClass().getName() : simple;
     }
 
-    private void tell(Consumer<ConverterListener> what) {
+    private void enqueue(Consumer<ConverterListener> what) {
         if (!config.threads()) {
             call(what);
         } else if (!waiting.offer(what) && !losing) {
@@ -115,7 +115,7 @@ final class Listeners {
             HistoryEntry entry = history.last();
             // An occurrence dropped meanwhile was not decided.
             long waited = entry.decision() == null ? NOT_CONVERTED : waitedNanos;
-            tell(listener -> {
+            enqueue(listener -> {
                 if (waited != NOT_CONVERTED) {
                     listener.converted(Duration.ofNanos(waited));
                 }
@@ -126,25 +126,25 @@ final class Listeners {
 
     void moved(Configuration before, Configuration after) {
         if (!all.isEmpty()) {
-            tell(listener -> listener.moved(before, after));
+            enqueue(listener -> listener.moved(before, after));
         }
     }
 
     void evolved(Evolution.Result result) {
         if (!all.isEmpty()) {
-            tell(listener -> listener.evolved(result));
+            enqueue(listener -> listener.evolved(result));
         }
     }
 
     void failed(Failure<Occurrence> failure) {
         if (!all.isEmpty()) {
-            tell(listener -> listener.failed(failure));
+            enqueue(listener -> listener.failed(failure));
         }
     }
 
     void doubted(String why) {
         if (!all.isEmpty()) {
-            tell(listener -> listener.doubted(why));
+            enqueue(listener -> listener.doubted(why));
         }
     }
 
@@ -155,17 +155,17 @@ final class Listeners {
 
     /** Makes the waiting calls and ends the thread. Idempotent; a listener must not call it. */
     void close() {
-        Thread telling;
+        Thread notifier;
         synchronized (this) {
-            telling = thread;
+            notifier = thread;
         }
         closed = true;
-        if (telling != null) {
-            telling.interrupt();
-            if (!Threads.join(telling, config.joinLimit())) {
+        if (notifier != null) {
+            notifier.interrupt();
+            if (!Threads.join(notifier, config.joinLimit())) {
                 LOG.warn(
                         "thread {} did not end within {} ms; a listener does not return",
-                        telling.getName(),
+                        notifier.getName(),
                         config.joinLimit().toMillis());
             }
         }

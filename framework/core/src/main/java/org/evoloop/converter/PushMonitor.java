@@ -30,7 +30,7 @@ public class PushMonitor extends EventMonitor {
     /** How many occurrences the monitor's own thread still has to report; none may overtake them. */
     private final AtomicInteger behind = new AtomicInteger();
 
-    private boolean telling;
+    private boolean handingOver;
     private boolean losing;
 
     /** A monitor named after its class. */
@@ -69,7 +69,7 @@ public class PushMonitor extends EventMonitor {
             // Occurrences pushed before the converter was built come first; the monitor's thread is reporting them.
             LockSupport.parkNanos(this, LOOK_NANOS);
         }
-        if (behind.get() > 0 || !tell(occurrence)) {
+        if (behind.get() > 0 || !report(occurrence)) {
             keep(occurrence);
         }
     }
@@ -104,13 +104,13 @@ public class PushMonitor extends EventMonitor {
 
     @Override
     protected final @Nullable Occurrence getEvent() throws InterruptedException {
-        if (telling) {
+        if (handingOver) {
             // A further call means that the last occurrence has been reported.
-            telling = false;
+            handingOver = false;
             behind.decrementAndGet();
         }
         Occurrence next = hasThread() ? pushed.take() : pushed.poll();
-        telling = next != null;
+        handingOver = next != null;
         return next;
     }
 }

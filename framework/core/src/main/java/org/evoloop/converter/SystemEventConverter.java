@@ -463,7 +463,7 @@ public final class SystemEventConverter implements AutoCloseable {
      */
     public List<HistoryEntry> history(int count) {
         if (count < 1 || count > MOST_HISTORY) {
-            throw new IllegalArgumentException("history tells of 1 to " + MOST_HISTORY + " events, not of " + count);
+            throw new IllegalArgumentException("history shows 1 to " + MOST_HISTORY + " events, not " + count);
         }
         return built().driver.history(count);
     }

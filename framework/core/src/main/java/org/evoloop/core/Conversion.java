@@ -34,8 +34,8 @@ final class Conversion {
     /** Begins a plan. */
     void plan(long number, Decision decision) {
         if (progress.isOf(number) && progress.isResumed()) {
-            progress.goOn();
-            goOn();
+            progress.proceed();
+            proceed();
             return;
         }
         if (!progress.isOf(number) || progress.decision() != null) {
@@ -53,10 +53,10 @@ final class Conversion {
             ledger.stay.leave(ledger.out);
         }
         progress.decide(decision);
-        goOn();
+        proceed();
     }
 
-    private void goOn() {
+    private void proceed() {
         Step step = progress.step();
         String effect = progress.effect();
         if (progress.decision() instanceof Decision.Inquiry) {
@@ -104,7 +104,7 @@ final class Conversion {
         if (!sure || !target.equals(step.target())) {
             again("the device acted by itself while " + step.trigger() + " was sent");
         } else {
-            goOn();
+            proceed();
         }
         if (!sure) {
             String why = "it is unknown whether the device acted before or after it took " + step.trigger();
@@ -159,7 +159,7 @@ final class Conversion {
     void ran(long number, String failure) {
         if (progress.isOf(number)) {
             progress.ran(failure);
-            goOn();
+            proceed();
         }
     }
 

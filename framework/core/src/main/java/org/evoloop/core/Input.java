@@ -16,30 +16,30 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public sealed interface Input {
-    /** Calls the method of {@code told} for this input. */
-    void applyTo(Inputs told);
+    /** Calls the method of {@code core} for this input. */
+    void applyTo(Inputs core);
 
     /** The converter is opened: it takes controllers' events, and the current state is entered anew. */
     record Opened(long atNanos) implements Input {
         @Override
-        public void applyTo(Inputs told) {
-            told.opened(atNanos);
+        public void applyTo(Inputs core) {
+            core.opened(atNanos);
         }
     }
 
     /** The converter is closed to everything but facts. The occurrence in progress may still end normally. */
     record Closing() implements Input {
         @Override
-        public void applyTo(Inputs told) {
-            told.closing();
+        public void applyTo(Inputs core) {
+            core.closing();
         }
     }
 
     /** Nothing is in progress any more: the function and timers of the current state end. */
     record Closed() implements Input {
         @Override
-        public void applyTo(Inputs told) {
-            told.closed();
+        public void applyTo(Inputs core) {
+            core.closed();
         }
     }
 
@@ -49,56 +49,56 @@ public sealed interface Input {
      */
     record Recovered(long atNanos) implements Input {
         @Override
-        public void applyTo(Inputs told) {
-            told.recovered(atNanos);
+        public void applyTo(Inputs core) {
+            core.recovered(atNanos);
         }
     }
 
     /** Something occurred. A fact moves the original model at once; anything else waits for its turn. */
     record Observed(Occurrence occurrence) implements Input {
         @Override
-        public void applyTo(Inputs told) {
-            told.observed(occurrence);
+        public void applyTo(Inputs core) {
+            core.observed(occurrence);
         }
     }
 
     /** A timer of a visit has expired. */
     record TimerDue(long visit, Event event, long atNanos) implements Input {
         @Override
-        public void applyTo(Inputs told) {
-            told.timerDue(visit, event, atNanos);
+        public void applyTo(Inputs core) {
+            core.timerDue(visit, event, atNanos);
         }
     }
 
     /** Nothing is in progress, and the next occurrence may begin. */
     record Ready() implements Input {
         @Override
-        public void applyTo(Inputs told) {
-            told.ready();
+        public void applyTo(Inputs core) {
+            core.ready();
         }
     }
 
     /** The occurrence in progress was analyzed and planned. */
     record Planned(long number, Decision decision, long atNanos) implements Input {
         @Override
-        public void applyTo(Inputs told) {
-            told.planned(number, decision, atNanos);
+        public void applyTo(Inputs core) {
+            core.planned(number, decision, atNanos);
         }
     }
 
     /** The analyze or plan component has dismissed the occurrence. */
     record Dismissed(long number, long atNanos) implements Input {
         @Override
-        public void applyTo(Inputs told) {
-            told.dismissed(number, atNanos);
+        public void applyTo(Inputs core) {
+            core.dismissed(number, atNanos);
         }
     }
 
     /** The device is ready for the requested step, which is about to be sent. */
     record Sending(long number) implements Input {
         @Override
-        public void applyTo(Inputs told) {
-            told.sending(number);
+        public void applyTo(Inputs core) {
+            core.sending(number);
         }
     }
 
@@ -110,40 +110,40 @@ public sealed interface Input {
      */
     record Sent(long number, boolean inOrder, long atNanos) implements Input {
         @Override
-        public void applyTo(Inputs told) {
-            told.sent(number, inOrder, atNanos);
+        public void applyTo(Inputs core) {
+            core.sent(number, inOrder, atNanos);
         }
     }
 
     /** The requested effect is about to be run. */
     record Running(long number) implements Input {
         @Override
-        public void applyTo(Inputs told) {
-            told.running(number);
+        public void applyTo(Inputs core) {
+            core.running(number);
         }
     }
 
     /** An effect of the new model was run; {@code failure} is the reason if it failed, else empty. */
     record EffectRun(long number, String failure, long atNanos) implements Input {
         @Override
-        public void applyTo(Inputs told) {
-            told.effectRun(number, failure, atNanos);
+        public void applyTo(Inputs core) {
+            core.effectRun(number, failure, atNanos);
         }
     }
 
     /** The device was asked for its state; {@code state} is null if it is unknown. */
     record Located(long number, @Nullable State state, long atNanos) implements Input {
         @Override
-        public void applyTo(Inputs told) {
-            told.located(number, state, atNanos);
+        public void applyTo(Inputs core) {
+            core.located(number, state, atNanos);
         }
     }
 
     /** A component failed on the occurrence; a step being sent had no effect. */
     record Failed(long number, String reason, long atNanos) implements Input {
         @Override
-        public void applyTo(Inputs told) {
-            told.failed(number, reason, atNanos);
+        public void applyTo(Inputs core) {
+            core.failed(number, reason, atNanos);
         }
     }
 
@@ -153,16 +153,16 @@ public sealed interface Input {
      */
     record GivenUp(long number, String reason, long atNanos) implements Input {
         @Override
-        public void applyTo(Inputs told) {
-            told.givenUp(number, reason, atNanos);
+        public void applyTo(Inputs core) {
+            core.givenUp(number, reason, atNanos);
         }
     }
 
     /** Models or components have changed: from now on these rules apply. */
     record Changed(Rules rules, long atNanos) implements Input {
         @Override
-        public void applyTo(Inputs told) {
-            told.changed(rules, atNanos);
+        public void applyTo(Inputs core) {
+            core.changed(rules, atNanos);
         }
     }
 
@@ -172,8 +172,8 @@ public sealed interface Input {
      */
     record Evolved(Swap swap, long atNanos) implements Input {
         @Override
-        public void applyTo(Inputs told) {
-            told.evolved(swap, atNanos);
+        public void applyTo(Inputs core) {
+            core.evolved(swap, atNanos);
         }
     }
 }

@@ -150,7 +150,7 @@ final class Progress {
         becomes(Work.Stage.RESUMED);
     }
 
-    void goOn() {
+    void proceed() {
         becomes(Work.Stage.READY);
     }
 

@@ -77,7 +77,7 @@ final class Stay {
      * @param left the deadlines of timers that continue
      * @param kept the names of those, fired or not
      */
-    void goOn(
+    void proceed(
             State state,
             @Nullable Transition leading,
             Map<Event, Long> left,

@@ -62,9 +62,9 @@ final class Takeover {
         ledger.out.evolved(evolved, before, maps);
         ledger.place.doubt(doubt(swap.succession(), maps));
         ledger.place.move(maps.at(), ledger.out);
-        boolean goesOn = ledger.stay.isOver() || !ledger.open || (settled && keepsFunction(maps));
-        line(swap.succession(), maps, goesOn);
-        stay(swap.succession(), maps, goesOn);
+        boolean continues = ledger.stay.isOver() || !ledger.open || (settled && keepsFunction(maps));
+        line(swap.succession(), maps, continues);
+        stay(swap.succession(), maps, continues);
         if (!settled) {
             ledger.line.addFirst(new Pending(ledger.counts.observe(), evolved, null, null, ledger.place.steps(), 0));
         }
@@ -91,9 +91,9 @@ final class Takeover {
 
     // The queue
 
-    private void line(Succession succession, Fate.Maps maps, boolean goesOn) {
+    private void line(Succession succession, Fate.Maps maps, boolean continues) {
         ledger.line.replace(pending -> {
-            if (!isOver(pending.occurrence(), maps, goesOn)) {
+            if (!isOver(pending.occurrence(), maps, continues)) {
                 return in(pending, succession, maps);
             }
             String why = "what raised it ended with the previous models";
@@ -103,12 +103,12 @@ final class Takeover {
     }
 
     /** Whether the function or timer that raised it is not carried over. */
-    private boolean isOver(Occurrence occurrence, Fate.Maps maps, boolean goesOn) {
+    private boolean isOver(Occurrence occurrence, Fate.Maps maps, boolean continues) {
         if (occurrence.visit() == Occurrence.ANY_VISIT || !ledger.stay.isCurrent(occurrence.visit())) {
             return false;
         }
         boolean timer = occurrence instanceof Occurrence.Heard heard && heard.source() == Source.TIMER;
-        return timer ? kept(maps, ((Occurrence.Heard) occurrence).event()) == null : !goesOn;
+        return timer ? kept(maps, ((Occurrence.Heard) occurrence).event()) == null : !continues;
     }
 
     private Pending in(Pending pending, Succession succession, Fate.Maps maps) {
@@ -151,7 +151,7 @@ final class Takeover {
         return null;
     }
 
-    private void stay(Succession succession, Fate.Maps maps, boolean goesOn) {
+    private void stay(Succession succession, Fate.Maps maps, boolean continues) {
         State state = maps.at().evolved();
         Transition by = succession.entry(state, ledger.stay.by());
         boolean wasOver = ledger.stay.isOver();
@@ -168,14 +168,14 @@ final class Takeover {
                 kept.add(each.becomes());
             }
         }
-        if (!goesOn) {
+        if (!continues) {
             ledger.stay.leave(ledger.out);
         }
-        ledger.stay.goOn(state, by, left, kept, ledger.rules, ledger.nowNanos);
+        ledger.stay.proceed(state, by, left, kept, ledger.rules, ledger.nowNanos);
         long visit = ledger.stay.number();
-        if (goesOn && !wasOver && ledger.open) {
+        if (continues && !wasOver && ledger.open) {
             ledger.out.carryOver(visit, state, ledger.stay.inOrder());
-        } else if (!goesOn && maps.steps().isEmpty()) {
+        } else if (!continues && maps.steps().isEmpty()) {
             ledger.enterAsLeft();
             ledger.start(visit, false);
         }

@@ -75,7 +75,7 @@ final class Gate<O> {
      *
      * @throws IllegalStateException if it was asked to end; nothing was changed
      */
-    void quietlyUnlessTold(Runnable change) {
+    void quietlyUnlessInterrupted(Runnable change) {
         quietly(Thread.currentThread() instanceof OwnedThread, change);
     }
 
@@ -136,7 +136,7 @@ final class Gate<O> {
             sequencer.release();
             // Also after a refused change: work that was given up for it must be reported, or nothing else begins.
             if (late != null) {
-                sequencer.goOnWithout(late, failure);
+                sequencer.proceedWithout(late, failure);
             }
             if (interrupted) {
                 Thread.currentThread().interrupt();

@@ -88,7 +88,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
         synchronized (admin) {
             requireUsable();
             requireUnknown(added);
-            gate.quietlyUnlessTold(() -> enlist(added, Integer.MAX_VALUE));
+            gate.quietlyUnlessInterrupted(() -> enlist(added, Integer.MAX_VALUE));
         }
     }
 
@@ -138,7 +138,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
                 throw new IllegalStateException(name + " is the only component of the role "
                         + worker.component().role() + "; exchange it instead");
             }
-            gate.quietlyUnlessTold(() -> roster.drop(worker));
+            gate.quietlyUnlessInterrupted(() -> roster.drop(worker));
             awaitEnd(worker.threadToEnd());
         }
     }
@@ -162,7 +162,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
             requireUsable();
             requireExchangeable(name, next);
             Worker worker = roster.require(name);
-            gate.quietlyUnlessTold(() -> {
+            gate.quietlyUnlessInterrupted(() -> {
                 enlist(next, roster.drop(worker));
                 meanwhile.run();
             });
@@ -320,7 +320,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
      * @return false if that has to be left to the monitor: the loop has no threads or is not built yet, or the monitor
      *     is not part of it
      */
-    public boolean tell(Monitor<O> monitor, O occurrence) {
+    public boolean report(Monitor<O> monitor, O occurrence) {
         if (!config.threads() || sequencer.state() == LoopState.NEW || roster.workerOf(monitor) == null) {
             return false;
         }

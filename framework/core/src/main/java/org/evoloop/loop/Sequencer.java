@@ -125,9 +125,9 @@ final class Sequencer<O> {
             end(from, result == null ? null : next);
             return null;
         }
-        supervisor.goesOn();
+        supervisor.stepBegins();
         if (TURN.compareAndSet(this, from, next)) {
-            return next.goOn(from.cycle(), result);
+            return next.proceed(from.cycle(), result);
         }
         // It was given up: it is marked as stuck under the lock, and must see that before it returns.
         lock.acquire();
@@ -152,7 +152,7 @@ final class Sequencer<O> {
             release();
         }
         if (stuck != null) {
-            goOnAfter(stuck, failure);
+            proceedAfter(stuck, failure);
         }
     }
 
@@ -214,8 +214,8 @@ final class Sequencer<O> {
     }
 
     /**
-     * Takes the turn from a component that does not return; the lock is held, and {@link #goOnWithout} has to follow.
-     * Returns null if it no longer has the turn.
+     * Takes the turn from a component that does not return; the lock is held, and {@link #proceedWithout} has to
+     * follow. Returns null if it no longer has the turn.
      */
     @Nullable
     Failure<O> giveUp(StageWorker<?> worker, String why) {
@@ -228,7 +228,7 @@ final class Sequencer<O> {
 
     /**
      * Takes the occurrence out of the loop. The next one does not begin before the failure has been reported, see
-     * {@link #goOnAfter}: the listener may have to clean up first.
+     * {@link #proceedAfter}: the listener may have to clean up first.
      */
     private Failure<O> breakOff(Worker worker, String what) {
         Failure<O> failure = new Failure<>(
@@ -238,14 +238,14 @@ final class Sequencer<O> {
     }
 
     /** Reports that {@code late} was given up, and begins the next occurrence; the lock is not held. */
-    void goOnWithout(StageWorker<?> late, @Nullable Failure<O> failure) {
+    void proceedWithout(StageWorker<?> late, @Nullable Failure<O> failure) {
         // The next occurrence may need the same component, for example to find out whether its step had its effect.
         late.letReturn();
-        goOnAfter(late, failure);
+        proceedAfter(late, failure);
     }
 
     /** Reports the failure and begins the next occurrence; the lock is not held. */
-    void goOnAfter(Worker worker, @Nullable Failure<O> failure) {
+    void proceedAfter(Worker worker, @Nullable Failure<O> failure) {
         Worker about = worker;
         Failure<O> next = failure;
         while (next != null && about != null) {
@@ -275,7 +275,7 @@ final class Sequencer<O> {
         Failure<O> failure = takeRefused();
         lock.release();
         if (failure != null && first != null) {
-            goOnAfter(first, failure);
+            proceedAfter(first, failure);
         }
     }
 

@@ -65,7 +65,7 @@ final class StageWorker<I> extends Worker {
      * @return itself if it is to be run by the caller's thread; null if its own thread runs it
      */
     @Nullable
-    StageWorker<I> goOn(long givenCycle, I givenInput) {
+    StageWorker<I> proceed(long givenCycle, I givenInput) {
         cycle = givenCycle;
         input = givenInput;
         if (own == null) {

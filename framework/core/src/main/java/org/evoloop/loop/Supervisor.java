@@ -6,7 +6,7 @@ import org.evoloop.time.Clock;
 /**
  * Gives up components that work on their occurrence for longer than the step limit.
  *
- * <p>Threading: guarded by the loop's lock, but for {@link #goesOn}; the clock calls while there is work.
+ * <p>Threading: guarded by the loop's lock, but for {@link #stepBegins}; the clock calls while there is work.
  */
 final class Supervisor<O> {
     private final Sequencer<O> sequencer;
@@ -26,7 +26,7 @@ final class Supervisor<O> {
     }
 
     /** The turn is about to go to the next component. Called beforehand, so that no limit covers two of them. */
-    void goesOn() {
+    void stepBegins() {
         if (watches) {
             begunNanos = clock.nanoTime();
         }
@@ -34,7 +34,7 @@ final class Supervisor<O> {
 
     /** An occurrence has begun; the lock is held. */
     void begun() {
-        goesOn();
+        stepBegins();
         if (!scheduled) {
             scheduled = true;
             clock.schedule(limit, this::look);
@@ -62,7 +62,7 @@ final class Supervisor<O> {
             lock.release();
         }
         if (late != null) {
-            sequencer.goOnWithout(late, failure);
+            sequencer.proceedWithout(late, failure);
         }
     }
 }

@@ -43,9 +43,9 @@ final class Belongings {
         for (String timer : names(runningTimers, from)) {
             Mapping.TimerOf key = new Mapping.TimerOf(plain(from), timer);
             String becomes = mapping.timers().getOrDefault(key, timer);
-            boolean goesOn = begun.remove(becomes);
-            How how = !goesOn ? How.ENDED : mapping.restartedTimers().contains(key) ? How.RESTARTED : How.KEPT;
-            all.add(new Carried(Part.TIMER, timer, goesOn ? becomes : timer, how));
+            boolean continues = begun.remove(becomes);
+            How how = !continues ? How.ENDED : mapping.restartedTimers().contains(key) ? How.RESTARTED : How.KEPT;
+            all.add(new Carried(Part.TIMER, timer, continues ? becomes : timer, how));
         }
         begun.forEach(timer -> all.add(new Carried(Part.TIMER, timer, timer, How.STARTED)));
         functions(from, to, atOnce, all);

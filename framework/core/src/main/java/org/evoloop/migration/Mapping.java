@@ -117,10 +117,10 @@ public record Mapping(
     }
 
     /** A copy in which the function of {@code state} continues, whatever its name, or else starts again. */
-    public Mapping withFunction(State state, boolean goesOn) {
+    public Mapping withFunction(State state, boolean continues) {
         Set<State> kept = new HashSet<>(keptFunctions);
         Set<State> restarted = new HashSet<>(restartedFunctions);
-        (goesOn ? kept : restarted).add(state);
+        (continues ? kept : restarted).add(state);
         return new Mapping(device, states, timers, restartedTimers, restarted, kept);
     }
 }

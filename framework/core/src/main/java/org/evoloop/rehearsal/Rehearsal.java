@@ -138,9 +138,9 @@ final class Rehearsal extends Chronicle {
                     .ifPresent(timer -> due(timer, atNanos));
         }
         long before = like(occurrence);
-        boolean goesOn = before > 0;
-        while (goesOn && like(occurrence) == before) {
-            goesOn = convert(atNanos);
+        boolean continues = before > 0;
+        while (continues && like(occurrence) == before) {
+            continues = convert(atNanos);
         }
         settle(atNanos);
     }
@@ -190,11 +190,11 @@ final class Rehearsal extends Chronicle {
 
     /** Gives timers that the converter does not have their turns. */
     private void expire(long atNanos) {
-        boolean goesOn = true;
-        while (goesOn && !outstanding.isEmpty()) {
+        boolean continues = true;
+        while (continues && !outstanding.isEmpty()) {
             Occurrence first = outstanding.get(0);
             boolean expired = atNanos - first.observedNanos() > SAME_TIMER_NANOS;
-            goesOn = expired
+            continues = expired
                     && outstanding.stream().allMatch(each -> each.source() == Source.TIMER)
                     && convert(first.observedNanos());
         }
@@ -202,17 +202,17 @@ final class Rehearsal extends Chronicle {
 
     /** Carries out what follows; events that the converter has not handled yet wait. */
     private void settle(long atNanos) {
-        boolean goesOn = true;
-        while (goesOn && outstanding.isEmpty()) {
-            goesOn = convert(atNanos);
+        boolean continues = true;
+        while (continues && outstanding.isEmpty()) {
+            continues = convert(atNanos);
         }
     }
 
     /** Gives waiting events their turns, since nothing more comes. */
     void rest(long atNanos) {
-        boolean goesOn = true;
-        while (goesOn) {
-            goesOn = convert(atNanos);
+        boolean continues = true;
+        while (continues) {
+            continues = convert(atNanos);
         }
     }
 

@@ -38,7 +38,7 @@ public final class TimesOfDay<T> {
     private final List<Entry<T>> entries = new CopyOnWriteArrayList<>();
 
     /** The time up to which everything has been returned. */
-    private Instant told;
+    private Instant returned;
 
     private record Entry<T>(LocalTime time, Set<DayOfWeek> days, T what) {}
 
@@ -52,7 +52,7 @@ public final class TimesOfDay<T> {
      */
     public TimesOfDay(ZoneId zone, Instant now) {
         this.zone = zone;
-        this.told = now;
+        this.returned = now;
     }
 
     /** Adds a time on these days of the week. */
@@ -70,16 +70,16 @@ public final class TimesOfDay<T> {
 
     /** The items that have become due since the last check, in order. */
     public List<T> due(Instant now) {
-        if (now.isBefore(told.minus(LATEST))) {
-            LOG.info("the clock has gone back from {} to {}; times of the day go on from there", told, now);
-            told = now;
+        if (now.isBefore(returned.minus(LATEST))) {
+            LOG.info("the clock has gone back from {} to {}; times of the day go on from there", returned, now);
+            returned = now;
         }
-        if (!now.isAfter(told)) {
+        if (!now.isAfter(returned)) {
             return List.of();
         }
         Instant since = now.minus(LATEST);
-        List<Due<T>> due = between(told.isBefore(since) ? since : told, now);
-        told = now;
+        List<Due<T>> due = between(returned.isBefore(since) ? since : returned, now);
+        returned = now;
         return due.stream().map(Due::what).toList();
     }
 

@@ -14,7 +14,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /**
- * The queue waits, not the device: while a step is made ready for or sent nothing else begins, and all keeps its order.
+ * Events wait in the queue, not at the device: while a step is being prepared or sent, nothing else begins, and the
+ * order is kept.
  */
 @InEachThreading
 @Timeout(60)
@@ -63,21 +64,21 @@ class BackPressureTest {
     @Test
     void firstComeIsFirstServed() throws InterruptedException {
         CountDownLatch sending = new CountDownLatch(1);
-        CountDownLatch goOn = new CountDownLatch(1);
+        CountDownLatch proceed = new CountDownLatch(1);
         try (LiveRobot robot = new LiveRobot(
                 threading,
                 NewFunction.none(),
                 8,
                 made -> made.converter.addExecute(made.device("Device", step -> {
                     sending.countDown();
-                    LiveRobot.await(goOn);
+                    LiveRobot.await(proceed);
                 })))) {
             robot.panel.press("Clean");
             LiveRobot.await(sending);
             List<String> pressed =
                     List.of("timeout", "Clean", "arriveSpot", "Clean", "timeout", "arriveSpot", "Clean", "timeout");
             pressed.forEach(robot.panel::press);
-            goOn.countDown();
+            proceed.countDown();
             robot.awaitHistory(9);
 
             assertThat(robot.converter.history().subList(1, 9))

@@ -22,9 +22,8 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Whatever a part of a converter asks of it, alone or while another thread closes it, returns at once or is refused:
- * whoever waited for somebody who waits for it would wait for the join limit, which is longer here than a test may
- * take.
+ * Whatever a component asks of its own converter, alone or while another thread closes it, returns at once or is
+ * refused: two threads that waited for each other would wait for the join limit, which here exceeds the test's timeout.
  */
 @Timeout(40)
 class ChangeFromHooksTest {
@@ -129,11 +128,10 @@ class ChangeFromHooksTest {
     }
 
     /**
-     * What a program does; that parts of it are refused because the converter is stopped is none of this test's
-     * business.
+     * What a program does. Some of it may be refused because the converter is stopped; this test does not check that.
      */
     private void run(Faulty.Part hook) {
-        // The task comes after a while in the state.
+        // The task runs some time after the state was entered.
         List<String> events = hook == Faulty.Part.TASK ? List.of("dim") : List.of("press", "press", "dim", "press");
         try {
             lamp.converter.start();

@@ -13,15 +13,12 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
-/** Analyze components with rules of their own. */
+/** Analyze components with additional rules. */
 class ChildLockTest {
     private static final LocalTime NIGHT = LocalTime.of(22, 0);
     private static final LocalTime MORNING = LocalTime.of(6, 0);
 
-    /**
-     * From 22:00 to 06:00 the controller's events are refused; the device's own buttons are not the converter's to
-     * lock.
-     */
+    /** Refuses the controller's events from 22:00 to 06:00; the converter cannot lock the device's own buttons. */
     private static final class ChildLock extends EventAnalyze {
         private @Nullable Clock clock;
 
@@ -45,7 +42,7 @@ class ChildLockTest {
     void refusesTheControllerAtNightAndSaysWhy() {
         ChildLock lock = new ChildLock();
         try (Player player = new Player(NewFunction.none(), lock)) {
-            // A manual clock begins at midnight.
+            // A manual clock starts at midnight.
             lock.clock = player.clock;
             player.press("play");
             player.settle();

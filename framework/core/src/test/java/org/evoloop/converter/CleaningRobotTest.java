@@ -157,9 +157,9 @@ class CleaningRobotTest {
     }
 
     @Test
-    void neverHearsATimeoutOfAStateThatWasLeft() throws InterruptedException {
+    void neverReceivesATimeoutOfAStateThatWasLeft() throws InterruptedException {
         robot.controller("Clean").controller("Clean").controller("Clean");
-        // The second press waits in the queue when the timer fires: the timeout comes after it and is stale by then.
+        // The second press is already queued when the timer fires, so the timeout comes after it and is stale.
         robot.panel.press("Clean");
         robot.converter.observe(robot.panel);
         robot.clock.advance(Duration.ofSeconds(5));
@@ -199,7 +199,7 @@ class CleaningRobotTest {
         assertThat(robot.converter.status().events().failed()).isEqualTo(1);
         assertThat(transcript.lines()).doesNotContain(" Spot command");
 
-        // The state could not be left: its timer runs anew, and the next press takes the rest of the way.
+        // The state could not be left: its timer is restarted, and the next press continues from there.
         robot.brokenCable = null;
         robot.controller("Clean");
         assertThat(robot.sent).endsWith("Clean", "Spot");
@@ -216,7 +216,7 @@ class CleaningRobotTest {
     }
 
     @Test
-    void tellsTheExecuteComponentWhereTheSystemStandsBeforeAFunctionStarts() throws InterruptedException {
+    void notifiesTheExecuteComponentOfTheStatesBeforeAFunctionStarts() throws InterruptedException {
         robot.panel("Clean", true).panel("Spot", false);
 
         assertThat(robot.settled).containsExactly("(Off, Off)", "(On, On)", "(On, Move)");
@@ -245,7 +245,7 @@ class CleaningRobotTest {
         assertThat(robot.moves).containsExactly("starts", "ends");
         robot.panel("Clean", true);
         assertThat(robot.states())
-                .as("what the device does while stopped is known")
+                .as("the device's acts while the converter is stopped are known")
                 .isEqualTo(at("Clean", "Move"));
         assertThat(robot.converter.status().queue().refused()).isZero();
 

@@ -21,10 +21,10 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** A converter is closed by what it calls: it waits for nobody who waits for it, and no thread is left. */
+/** A converter is closed from code that it calls: nothing deadlocks, and no thread is left. */
 @Timeout(60)
 class CloseFromHooksTest {
-    /** Longer than any of it takes, so that whoever waits in vain is told of in the log. */
+    /** Longer than any of the tests needs, so that a wait that times out is logged as one. */
     private static final Duration JOIN = Duration.ofSeconds(2);
 
     private enum Hook {

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Whatever a part of a converter does, it costs its own work only, is counted, and is named. */
+/** A fault of one component affects only that component's work, is counted, and is logged with the component's name. */
 @Timeout(60)
 class ContainedTest {
     private final ManualClock clock = new ManualClock();
@@ -48,7 +48,7 @@ class ContainedTest {
         return "press";
     }
 
-    /** Has the part do its work. */
+    /** Makes the component do its work. */
     private void provoke(Faulty lamp, String presses) throws InterruptedException {
         lamp.converter.start();
         for (String event : presses.split(" ")) {
@@ -63,7 +63,7 @@ class ContainedTest {
         return lamp.converter.history().size();
     }
 
-    /** Everything that is said to have failed, with what is said of it. */
+    /** Everything that is reported as failed, with the message. */
     private static List<String> named(Faulty lamp) {
         List<String> named = new ArrayList<>();
         for (ComponentStatus component : lamp.converter.status().components()) {
@@ -84,7 +84,7 @@ class ContainedTest {
                                 || line.contains("is stuck in its thread"))));
     }
 
-    private void goesOn(Faulty lamp, String event) {
+    private void continues(Faulty lamp, String event) {
         lamp.heals();
         long handled = lamp.converter.status().events().handled();
         lamp.wallSwitch.press(event);
@@ -113,22 +113,22 @@ class ContainedTest {
         provoke(lamp, presses);
         until(() ->
                 named(lamp).stream().anyMatch(line -> line.startsWith(name.strip()) && line.contains("it is broken")));
-        goesOn(lamp, "press");
+        continues(lamp, "press");
         until(lamp.converter::stop);
     }
 
     @ParameterizedTest
     @CsvSource({"ANALYZE, SINGLE_CARRIER, Brain", "PLAN, THREAD_PER_COMPONENT, Will"})
-    void whatReturnsNullForEverIsCountedAndNamed(Faulty.Part part, ThreadingModel threading, String name)
+    void whatReturnsNullForeverIsCountedAndNamed(Faulty.Part part, ThreadingModel threading, String name)
             throws InterruptedException {
         Faulty lamp = lamp(part, threading, () -> null);
         provoke(lamp, "press ".repeat(49).strip());
-        assertThat(named(lamp)).as("it may be meant").isEmpty();
+        assertThat(named(lamp)).as("it may be intended").isEmpty();
         provoke(lamp, "press");
         until(() -> named(lamp).stream()
                 .anyMatch(line -> line.startsWith(name) && line.contains("has returned null 50 times in a row")));
         assertThat(lamp.converter.status().events().ignored()).isEqualTo(50);
-        goesOn(lamp, "press");
+        continues(lamp, "press");
     }
 
     @ParameterizedTest
@@ -158,8 +158,8 @@ class ContainedTest {
                         && status.name().equals(component));
         lamp.heals();
         lamp.converter.exchange(component, "New" + component);
-        // A guard that hangs is not asked again, so events that need it go on failing.
-        goesOn(lamp, part == Faulty.Part.GUARD ? "dim" : "press");
+        // A guard that hangs is not evaluated again, so events that need it keep failing.
+        continues(lamp, part == Faulty.Part.GUARD ? "dim" : "press");
         until(lamp.converter::stop);
     }
 
@@ -185,11 +185,11 @@ class ContainedTest {
             await(begun);
         }
 
-        // Well within the minute that it has to return.
+        // Well within the minute in which it has to return.
         if (part == Faulty.Part.MONITOR || part == Faulty.Part.LISTENER) {
             until(lamp.converter::stop);
         } else {
-            assertThat(lamp.converter.stop()).as("all has been done").isFalse();
+            assertThat(lamp.converter.stop()).as("everything has ended").isFalse();
         }
 
         assertThat(lamp.converter.status().loop()).isEqualTo(LoopState.STOPPED);
@@ -226,17 +226,17 @@ class ContainedTest {
         CountDownLatch later = new CountDownLatch(1);
         clock.schedule(Duration.ofMillis(1), later::countDown);
         clock.advance(Duration.ofMillis(1));
-        assertThat(later.getCount()).as("the clock goes on").isZero();
-        goesOn(lamp, "press");
+        assertThat(later.getCount()).as("the clock still works").isZero();
+        continues(lamp, "press");
     }
 
     @ParameterizedTest
     @CsvSource({"ANALYZE, press", "PLAN, press"})
-    void whatReturnsNullForEverIsCounted(Faulty.Part part, String event) throws InterruptedException {
+    void whatReturnsNullForeverIsCounted(Faulty.Part part, String event) throws InterruptedException {
         Faulty lamp = lamp(part, ThreadingModel.SINGLE_CARRIER, () -> null);
         provoke(lamp, event);
         until(() -> lamp.converter.status().events().ignored() == 1);
         assertThat(lamp.converter.history().get(0).detail()).isEqualTo("dismissed");
-        goesOn(lamp, "press");
+        continues(lamp, "press");
     }
 }

@@ -18,12 +18,14 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
 
-/** What {@link SystemEventConverter#build} refuses, in one message that names everything. */
+/** What {@link SystemEventConverter#build} refuses, all errors in one message. */
 class ConverterBuildTest {
     private final SystemEventConverter converter = new SystemEventConverter(
             LoopConfig.defaults("robot", new ManualClock()).withoutThreads());
 
-    /** Knowledge whose functions are registered from outside; tests may, since they live in its package. */
+    /**
+     * Knowledge whose functions are registered from outside, which these tests can do because they are in its package.
+     */
     private static StateKnowledge complete(ModelPair pair) {
         StateKnowledge knowledge = new StateKnowledge(pair);
         knowledge.function("Move", NewFunction.none());
@@ -153,7 +155,7 @@ class ConverterBuildTest {
     }
 
     @Test
-    void canBeMendedAndBuiltAfterItWasRefused() {
+    void canBeCorrectedAndBuiltAfterItWasRefused() {
         StateKnowledge knowledge = new StateKnowledge(PaperModels.cleaningRobot());
         knowledge.function("Move", NewFunction.none());
         converter.addKnowledge(knowledge);

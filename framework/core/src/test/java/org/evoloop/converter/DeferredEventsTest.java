@@ -16,7 +16,7 @@ import org.evoloop.statemachine.Transition;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
 
-/** An event that the new model's state defers waits until a state that does not. */
+/** An event that a state of the new model defers waits until a state is entered that does not defer it. */
 class DeferredEventsTest {
     private static final StateMachine MILL = StateMachine.named("original")
             .initial("Idle")
@@ -29,7 +29,7 @@ class DeferredEventsTest {
     private final SystemEventConverter converter = new SystemEventConverter(
             LoopConfig.defaults("mill", new ManualClock()).withoutThreads());
 
-    /** A mill that is cleaned first, and does not grind meanwhile. */
+    /** A mill that is cleaned first and does not grind meanwhile. */
     private static StateMachine evolved(boolean guarded) {
         var builder = StateMachine.named("new")
                 .initial("Idle")

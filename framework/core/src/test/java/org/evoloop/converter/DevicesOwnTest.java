@@ -14,7 +14,7 @@ import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** An air conditioner: what is the device's own is declared, and never what merely cannot be sent. */
+/** An air conditioner: events are the device's own if they are declared so, not merely because they cannot be sent. */
 class DevicesOwnTest {
     private static final String[] LINES = {
         "Off power -> Cool", "Cool power -> Off", "Cool temp-up -> Warm", "Warm temp-up -> Warm", "Warm cooled -> Cool"
@@ -61,7 +61,7 @@ class DevicesOwnTest {
     }
 
     @Test
-    void anEventThatNobodySendsAndNobodyDeclaresIsRefusedOnceByBuild() {
+    void anEventThatIsNeitherSentNorDeclaredIsRefusedOnceByBuild() {
         assertThatThrownBy(() -> build(DEVICE, new Remote("Remote"), new RecordingExecute("Infrared", "power")))
                 .isInstanceOf(ModelException.class)
                 .hasMessage("the model 'new' cannot be carried out:\n  " + NOBODYS.formatted("temp-up") + "\n  "

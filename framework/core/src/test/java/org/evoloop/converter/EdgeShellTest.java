@@ -24,9 +24,9 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** The parts of a lamp's converter whose decisions are made by the test. */
+/** The components of a lamp's converter, with the test in place of the core. */
 class EdgeShellTest {
-    private final List<String> told = new CopyOnWriteArrayList<>();
+    private final List<String> reports = new CopyOnWriteArrayList<>();
     private final List<String> done = new CopyOnWriteArrayList<>();
     private final ManualClock clock = new ManualClock();
     private final Panel panel = new Panel();
@@ -100,12 +100,12 @@ class EdgeShellTest {
         shell = new EdgeShell(LoopConfig.defaults("lamp", clock), new Knowledge(waiting), new EdgeShell.Decider() {
             @Override
             public void observed(Occurrence occurrence) {
-                told.add(occurrence + " in " + occurrence.visit());
+                reports.add(occurrence + " in " + occurrence.visit());
             }
 
             @Override
             public void answered(long sequence, EdgeShell.Result result, String reason, Optional<State> state) {
-                told.add(sequence + " " + result + reason
+                reports.add(sequence + " " + result + reason
                         + state.map(found -> " " + found).orElse(""));
             }
         });
@@ -131,11 +131,11 @@ class EdgeShellTest {
     }
 
     @Test
-    void effectsAndFactsAreToldInTheOrderOfTheDevice() throws Exception {
+    void effectsAndFactsAreReportedInTheOrderOfTheDevice() throws Exception {
         panel.switched();
         shell.send(7, step("switch"), Values.NONE);
         assertThat(done).containsExactly("off switch");
-        assertThat(told)
+        assertThat(reports)
                 .containsExactly(
                         "switch (panel, the device acted) in 0", "7 SENT", "switch (panel, the device acted) in 0");
     }
@@ -149,7 +149,7 @@ class EdgeShellTest {
         shell.send(3, step("dim"), Values.NONE);
         shell.run(4, "ring", Values.NONE);
         shell.locate(5);
-        assertThat(told)
+        assertThat(reports)
                 .containsExactly(
                         "1 FAILEDBulb.send: no bulb",
                         "2 IN_DOUBTBulb.send: no answer",
@@ -161,10 +161,10 @@ class EdgeShellTest {
     @Test
     void aFunctionRunsWhileItsVisitLastsAndBelongsToIt() {
         stand("on", "wait", 3, true, true);
-        Awaitility.await().until(() -> told.size() == 2);
-        assertThat(told).containsExactly("timeout (function) in 3", "switch (asked by a function) in 3");
+        Awaitility.await().until(() -> reports.size() == 2);
+        assertThat(reports).containsExactly("timeout (function) in 3", "switch (asked by a function) in 3");
         assertThat(done).containsExactly("settled in on", "waiting in 3");
-        // The same again changes nothing; what has ended does not begin again.
+        // Repeating it changes nothing; a function that has ended is not started again.
         stand("on", "wait", 3, false, true);
         assertThat(done).hasSize(2);
         shell.leave(3);
@@ -176,7 +176,7 @@ class EdgeShellTest {
     }
 
     @Test
-    void aVisitThatIsOverBeforeItIsHeardOfDoesNotBegin() {
+    void aVisitThatIsOverBeforeItIsReceivedDoesNotBegin() {
         shell.leave(5);
         stand("on", "wait", 5, true, true);
         assertThat(done).containsExactly("settled in on");

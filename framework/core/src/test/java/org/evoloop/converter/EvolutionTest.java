@@ -21,7 +21,7 @@ import org.evoloop.statemachine.StateMachine;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** A music player whose owner puts other models in while it plays. */
+/** A music player whose models are replaced while it plays. */
 class EvolutionTest {
     private final List<Visit> fadings = new ArrayList<>();
     private final Player player = new Player(fading(fadings));
@@ -46,7 +46,7 @@ class EvolutionTest {
     }
 
     @Test
-    void aFunctionThatRunsGoesOnAndWhatItRaisesIsHeard() throws Exception {
+    void aRunningFunctionContinuesAndItsEventsAreReceived() throws Exception {
         playAndFade();
         Visit fading = fadings.get(0);
         Evolution.Result result = player.converter.evolve(Evolution.to(Player.knowledge(
@@ -61,7 +61,7 @@ class EvolutionTest {
         assertThat(fadings).containsExactly(fading);
         fading.raise("faded");
         player.settle();
-        assertThat(player.states()).as("by the next model").hasToString("(Paused, Paused)");
+        assertThat(player.states()).as("in the next model").hasToString("(Paused, Paused)");
         assertThat(player.sent).containsExactly("play", "pause");
     }
 
@@ -119,7 +119,9 @@ class EvolutionTest {
                         List.of("Fading"), fading(fadings), "Paused fade -> Fading", "Fading stop -> Stopped"))
                 .withoutWayBack());
         assertThat(result.steps()).hasToString("[Playing --pause--> Paused]");
-        assertThat(fadings).as("nothing runs before the device is there").isEmpty();
+        assertThat(fadings)
+                .as("nothing runs before the device has arrived there")
+                .isEmpty();
         player.settle();
         assertThat(player.sent).containsExactly("play", "pause");
         assertThat(player.states()).hasToString("(Paused, Fading)");

@@ -17,7 +17,7 @@ import org.evoloop.loop.ThreadingModel;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Models that take over from others while events go through the loop. */
+/** Models are replaced while events go through the loop. */
 @InEachThreading
 @Timeout(60)
 class EvolutionUnderWayTest {
@@ -29,7 +29,7 @@ class EvolutionUnderWayTest {
         this.threading = threading;
     }
 
-    /** A robot that goes on cleaning where it was sent to spots before. */
+    /** A robot without the detour from cleaning to spot cleaning. */
     private static StateKnowledge simple() {
         return new StateKnowledge(new ModelPair(
                 PaperModels.cleaningRobot().original(),

@@ -24,7 +24,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Components that are exchanged and removed while a converter runs. */
+/** Components are exchanged and removed while a converter runs. */
 @InEachThreading
 @Timeout(60)
 class ExchangeUnderWayTest {
@@ -37,7 +37,7 @@ class ExchangeUnderWayTest {
     private final CountDownLatch hanging = new CountDownLatch(1);
     private final CountDownLatch atLast = new CountDownLatch(1);
 
-    /** A robot on the way from cleaning to spot cleaning, paused already, whose device hangs when it shall spot. */
+    /** A robot on the way from cleaning to spot cleaning, already paused, whose device hangs on the spot command. */
     private LiveRobot inTheMiddleOfTheDetour(LiveRobot.Taking hangs) throws InterruptedException {
         LiveRobot robot = new LiveRobot(threading, NewFunction.none(), 8, made -> {
             made.converter.addExecute(made.device("Device", step -> {
@@ -172,7 +172,7 @@ class ExchangeUnderWayTest {
     }
 
     @Test
-    void aMonitorThatHangsIsReplacedAndItsSuccessorIsHeard() throws InterruptedException {
+    void aMonitorThatHangsIsReplacedAndItsSuccessorReports() throws InterruptedException {
         CountDownLatch monitoring = new CountDownLatch(1);
         try (LiveRobot robot = new LiveRobot(threading, NewFunction.none(), 8, made -> {
             made.converter.addMonitor(new EventMonitor("Hanging") {
@@ -224,7 +224,7 @@ class ExchangeUnderWayTest {
     }
 
     @Test
-    void whatWouldLeaveDecisionsThatNobodyCanCarryOutIsRefused() throws InterruptedException {
+    void removingWhatDecisionsNeedIsRefused() throws InterruptedException {
         try (LiveRobot robot = new LiveRobot(threading, NewFunction.none(), 8, made -> {
             made.converter.addExecute(made.new Device("Cleaner", Set.of("Clean"), step -> {}));
             made.converter.addExecute(made.new Device("Spotter", Set.of("Spot"), step -> {}));

@@ -9,7 +9,7 @@ import org.evoloop.statemachine.State;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** The record stays where the device is, whatever the device does while events wait or are on their way. */
+/** The recorded state matches the device, whatever the device does while events wait or are being sent. */
 class FactsFirstTest {
     private final Player player = new Player(NewFunction.none());
 
@@ -73,7 +73,7 @@ class FactsFirstTest {
         player.acts("play");
         player.settle();
         player.press("pause");
-        // The device is ready for the press only after it has been stopped by hand.
+        // The device is stopped by hand before it becomes ready for the press.
         player.device.awaitReady = () -> {
             player.device.awaitReady = () -> {};
             player.acts("stop");
@@ -81,14 +81,14 @@ class FactsFirstTest {
         player.settle();
         requireAgreement();
         assertThat(player.sent)
-                .as("pause is not sent to a player that was stopped meanwhile, and stop has the last word")
+                .as("pause is not sent to a player that was stopped meanwhile; stop comes last")
                 .containsExactly("play", "pause", "stop");
         assertThat(player.states()).isEqualTo(at("Stopped", "Stopped"));
     }
 
     @Test
-    void aDeviceThatTellsTheOrderIsNeverInDoubt() {
-        player.device.tellsOrder = true;
+    void aDeviceThatReportsInOrderIsNeverInDoubt() {
+        player.device.reportsInOrder = true;
         player.before = () -> {
             player.before = () -> {};
             player.acts("play");

@@ -23,7 +23,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What components of a running converter throw, and where they hang, concerns nobody but the event at hand. */
+/** A component of a running converter that throws or hangs affects only the event in progress. */
 @InEachThreading
 @Timeout(60)
 class FailingComponentsTest {
@@ -34,7 +34,7 @@ class FailingComponentsTest {
     }
 
     @Test
-    void aMonitorThatThrowsIsReportedAndTheOtherOneGoesOn() {
+    void aMonitorThatThrowsIsReportedAndTheOtherOneContinues() {
         CountDownLatch broken = new CountDownLatch(1);
         EventMonitor brokenMonitor = new EventMonitor("Broken") {
             @Override
@@ -115,7 +115,7 @@ class FailingComponentsTest {
     }
 
     @Test
-    void anExecuteThatReturnsLateTellsWhereTheDeviceIs() throws InterruptedException {
+    void anExecuteThatReturnsLateShowsWhereTheDeviceIs() throws InterruptedException {
         CountDownLatch hanging = new CountDownLatch(1);
         CountDownLatch atLast = new CountDownLatch(1);
         try (LiveRobot robot = new LiveRobot(threading, NewFunction.none(), 8, made -> {

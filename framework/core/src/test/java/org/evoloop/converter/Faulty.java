@@ -16,10 +16,10 @@ import org.evoloop.loop.ThreadingModel;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
-/** A lamp of which one part has a fault; everything else is sound. */
+/** A lamp whose converter has one faulty component; everything else works. */
 final class Faulty implements AutoCloseable {
 
-    /** What may have a fault. */
+    /** The components that can be faulty. */
     enum Part {
         MONITOR,
         ANALYZE,
@@ -35,9 +35,9 @@ final class Faulty implements AutoCloseable {
         LISTENER
     }
 
-    /** Its fault. */
+    /** What the faulty component does. */
     interface Fault {
-        /** Returns what a component returns then; null means nothing. */
+        /** Returns what the component returns; null for nothing. */
         @Nullable
         Object show() throws Exception;
     }
@@ -85,7 +85,7 @@ final class Faulty implements AutoCloseable {
         }
     }
 
-    /** From now on it has no fault. */
+    /** Removes the fault. */
     void heals() {
         healthy = true;
     }
@@ -113,11 +113,11 @@ final class Faulty implements AutoCloseable {
 
         @Override
         protected @Nullable Occurrence getEvent() throws Exception {
-            Object told = at(Part.MONITOR);
-            if (told == Faulty.this) {
+            Object observed = at(Part.MONITOR);
+            if (observed == Faulty.this) {
                 never.await();
             }
-            return told == null ? null : fromDevice(told.toString());
+            return observed == null ? null : fromDevice(observed.toString());
         }
     }
 

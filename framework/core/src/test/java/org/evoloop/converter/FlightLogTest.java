@@ -15,7 +15,7 @@ import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What Java Flight Recorder records of the paper's light bulb, whose timer turns it off. */
+/** What Java Flight Recorder records about the paper's light bulb, whose timer turns it off. */
 class FlightLogTest {
     private final ManualClock clock = new ManualClock();
     private final PushMonitor wallSwitch = new PushMonitor("WallSwitch");

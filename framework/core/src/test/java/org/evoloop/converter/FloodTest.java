@@ -7,14 +7,11 @@ import org.evoloop.core.Outcome;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/**
- * What comes in masses takes no more than its share of memory and log, and the newest place of the device is never
- * lost.
- */
+/** A flood of events takes bounded memory and few log lines, and the device's latest state is never lost. */
 class FloodTest {
     private static final int MANY = 20_000;
 
-    /** 1,024 wait at the monitor, as many and the queue's eight in the core. */
+    /** 1,024 wait at the monitor, and 1,024 plus the queue's eight in the core. */
     private static final int MOST_WAITING = 1024 + 8;
 
     private final Robot robot = new Robot();
@@ -26,7 +23,7 @@ class FloodTest {
         robot.close();
     }
 
-    /** Takes all that waits at the monitor and in the core. */
+    /** Processes everything that waits at the monitor and in the core. */
     private void settleAll() throws InterruptedException {
         for (int count = 0; count < MOST_WAITING; count++) {
             robot.converter.observe(robot.panel);
@@ -59,7 +56,7 @@ class FloodTest {
         settleAll();
 
         assertThat(robot.states())
-                .as("after On and Clean in turn, what it did last")
+                .as("its last act, after On and Clean in turn")
                 .isEqualTo(Robot.at("Spot", "Spot"));
         ConverterStatus status = robot.converter.status();
         assertThat(status.events().handled()

@@ -14,7 +14,9 @@ import org.evoloop.function.NewFunction;
 import org.evoloop.function.Reading;
 import org.junit.jupiter.api.Test;
 
-/** What functions ask of the device and tell of themselves, what events carry, and who hears of it all. */
+/**
+ * Requests by functions to the device, what functions report, the values of events, and the notifications of it all.
+ */
 class FunctionRequestsTest {
 
     @Test

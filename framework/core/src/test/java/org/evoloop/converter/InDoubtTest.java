@@ -7,7 +7,7 @@ import org.evoloop.function.NewFunction;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** Where nobody can know what came first, the record says so, and the device is asked. */
+/** If it is unknowable what came first, the record says so, and the device is asked for its state. */
 class InDoubtTest {
     private final Player player = new Player(NewFunction.none());
 
@@ -16,7 +16,7 @@ class InDoubtTest {
         player.close();
     }
 
-    /** While a press of stop is on its way, the device pauses; which came first makes a difference. */
+    /** The device pauses while stop is being sent; the resulting state depends on which came first. */
     private void pauseWhileStopIsSent() {
         player.acts("play");
         player.settle();
@@ -38,7 +38,7 @@ class InDoubtTest {
     }
 
     @Test
-    void aDeviceThatCannotTellIsTakenToBeWhereWhatWasToldLeadsAndTheRecordSaysThatItIsInDoubt() {
+    void aDeviceThatCannotReportIsAssumedToBeWhereTheReportsLeadAndIsInDoubt() {
         pauseWhileStopIsSent();
         assertThat(player.doubt()).isEqualTo("it is unknown whether the device acted before or after it took stop");
         assertThat(player.outcomes()).contains("in doubt IGNORED");
@@ -87,7 +87,7 @@ class InDoubtTest {
         player.settle();
         player.after = () -> {
             player.after = () -> {};
-            // The device knows no pause where it is by then, and none before either changes that.
+            // Whichever stop came first, the device is in Stopped.
             player.acts("stop");
         };
         player.press("stop");

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** A time trigger of a state around others goes on while the system moves between those. */
+/** The timer of a composite state keeps running while the system moves between its substates. */
 class KeptTimersTest {
     private final ManualClock clock = new ManualClock();
     private final PushMonitor panel = new PushMonitor("Panel") {};
@@ -29,7 +29,7 @@ class KeptTimersTest {
 
     @BeforeEach
     void build() {
-        // Red and Blue stand in a state that is left 10 s after it was entered; Blue has a timer of its own.
+        // Red and Blue are in a composite state that is left 10 s after it was entered; Blue has its own timer.
         StateMachineBuilder evolved = StateMachine.named("new")
                 .initial("Off")
                 .transition("Off", "press", "Red")

@@ -15,7 +15,7 @@ import org.evoloop.time.Threads;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** Who listens for a while costs nothing afterwards, and hears what an event meant. */
+/** A removed listener costs nothing any more; until then it receives what an event led to. */
 class ListenerRemovalTest {
     private final SystemClock clock = new SystemClock();
     private final PushMonitor wallSwitch = new PushMonitor("WallSwitch");

@@ -17,9 +17,7 @@ import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.ThreadingModel;
 import org.evoloop.time.ManualClock;
 
-/**
- * The paper's cleaning robot as a converter with threads under a manual clock; its parts do what a test makes them do.
- */
+/** The paper's cleaning robot as a converter with threads and a manual clock; tests control what its components do. */
 final class LiveRobot implements AutoCloseable {
     static final Duration STEP_LIMIT = Duration.ofSeconds(30);
     static final Duration SHORT_JOIN = Duration.ofMillis(50);
@@ -32,7 +30,7 @@ final class LiveRobot implements AutoCloseable {
     final SystemEventConverter converter;
     private final BlockingQueue<Long> spotWaits = new LinkedBlockingQueue<>();
 
-    /** A robot whose device takes whatever is sent, and whose Move does {@code move}. */
+    /** A robot whose device accepts everything that is sent, and whose Move runs {@code move}. */
     LiveRobot(NewFunction move) {
         this(ThreadingModel.SINGLE_CARRIER, move);
     }
@@ -45,7 +43,7 @@ final class LiveRobot implements AutoCloseable {
         this(ThreadingModel.SINGLE_CARRIER, move, queueCapacity, parts);
     }
 
-    /** @param parts adds the execute components, and whatever else is not usual */
+    /** @param parts adds the execute components, and anything else that the test needs */
     LiveRobot(ThreadingModel threading, NewFunction move, int queueCapacity, Consumer<LiveRobot> parts) {
         converter = new SystemEventConverter(LoopConfig.defaults("robot", clock)
                 .withThreading(threading)
@@ -68,7 +66,7 @@ final class LiveRobot implements AutoCloseable {
         converter.start();
     }
 
-    /** How a device takes an event. */
+    /** How a device handles an event. */
     interface Taking {
         void take(Step step) throws Exception;
     }
@@ -114,7 +112,7 @@ final class LiveRobot implements AutoCloseable {
         }
     }
 
-    /** Presses controller buttons one after the other, each once the one before has been dealt with. */
+    /** Presses controller buttons one after another, each after the previous event has ended. */
     LiveRobot press(String... events) {
         for (String event : events) {
             int before = converter.history().size();
@@ -124,7 +122,7 @@ final class LiveRobot implements AutoCloseable {
         return this;
     }
 
-    /** Waits until so many events have come to their end; returns the last of those. */
+    /** Waits until this many events have ended; returns the last one. */
     HistoryEntry awaitHistory(int entries) {
         until(() -> converter.history().size() >= entries);
         return converter.history().get(entries - 1);
@@ -135,7 +133,7 @@ final class LiveRobot implements AutoCloseable {
         return this;
     }
 
-    /** Waits until the function of SpotWait has begun once more and set its timer. */
+    /** Waits until the function of SpotWait has started again and set its timer. */
     LiveRobot awaitSpotWait() throws InterruptedException {
         take(spotWaits);
         return this;
@@ -152,7 +150,7 @@ final class LiveRobot implements AutoCloseable {
                 .orElseThrow();
     }
 
-    /** Waits for something that no latch tells. */
+    /** Polls for a condition that no latch signals. */
     static void until(BooleanSupplier holds) {
         long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
         while (!holds.getAsBoolean()) {
@@ -169,7 +167,7 @@ final class LiveRobot implements AutoCloseable {
         }
     }
 
-    /** Waits like code that was written by somebody who has not heard of interrupts. */
+    /** Waits like code that ignores interrupts. */
     static void awaitDeaf(CountDownLatch latch) {
         boolean interrupted = false;
         while (latch.getCount() > 0) {

@@ -15,7 +15,7 @@ import org.evoloop.time.Clock;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
 
-/** What is put together wrongly is refused when it is registered or built, and can be put right after. */
+/** Wrong configurations are refused when they are registered or built, and can be corrected afterwards. */
 class MisuseTest {
     private final RecordingExecute device = new RecordingExecute("Device", "Clean", "Spot");
     private final PushMonitor panel = new PushMonitor("Panel");
@@ -43,7 +43,7 @@ class MisuseTest {
     }
 
     @Test
-    void whatBelongsToOneConverterIsRefusedByAnotherAndGoesOnToBelongToTheFirst() throws InterruptedException {
+    void whatBelongsToOneConverterIsRefusedByAnotherAndStaysWithTheFirst() throws InterruptedException {
         ManualClock clock = new ManualClock();
         try (SystemEventConverter first = first(clock);
                 SystemEventConverter second = converter("second", clock)) {

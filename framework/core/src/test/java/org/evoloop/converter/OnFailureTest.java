@@ -18,7 +18,7 @@ import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** A lift that goes to the fourth floor by plans of several steps, of which one fails. */
+/** A lift goes to the fourth floor by plans of several steps, one of which fails. */
 class OnFailureTest {
     private static final ModelPair MODELS = new ModelPair(
             machine(
@@ -157,7 +157,7 @@ class OnFailureTest {
         press("wait");
         press("top");
         assertThat(states()).isEqualTo("(F0, Waiting)");
-        assertThat(begun).as("it was left with the first step").isEqualTo(2);
+        assertThat(begun).as("the state was left with the first step").isEqualTo(2);
         assertThat(press("over").outcome()).hasToString("HANDLED");
     }
 
@@ -179,7 +179,7 @@ class OnFailureTest {
     }
 
     @Test
-    void theEventGoesOnByAnotherWay() throws Exception {
+    void theEventContinuesByAnotherPath() throws Exception {
         build(OnFailure.OTHER_WAY, "F2 express");
         HistoryEntry top = press("top");
         assertThat(sent).containsExactly("up", "up", "up", "up");

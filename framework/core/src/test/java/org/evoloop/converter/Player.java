@@ -18,8 +18,8 @@ import org.evoloop.statemachine.State;
 import org.evoloop.time.ManualClock;
 
 /**
- * A music player with buttons of its own as a converter without threads. The device follows the original model to the
- * letter; its owner wants it to fade out.
+ * A music player with its own buttons, as a converter without threads. The device follows the original model exactly;
+ * the new model fades out.
  */
 final class Player implements AutoCloseable {
     static final ModelPair MODELS = new ModelPair(
@@ -51,12 +51,12 @@ final class Player implements AutoCloseable {
     /** Where the device truly is. */
     State state = new State("Stopped");
 
-    /** What happens while a step is on its way, before and after it has had its effect. */
+    /** What happens while a step is being sent, before and after it takes effect. */
     Incident before = () -> {};
 
     Incident after = () -> {};
 
-    /** Something that happens, or goes wrong. */
+    /** Something that happens or goes wrong. */
     interface Incident {
         void run() throws Exception;
     }
@@ -79,7 +79,7 @@ final class Player implements AutoCloseable {
         converter.start();
     }
 
-    /** What the player can do already, and more, where {@code functions} are new. */
+    /** The player's events plus {@code more}, where {@code functions} are new. */
     static StateKnowledge knowledge(List<String> functions, NewFunction function, String... more) {
         String[] device = {
             "Stopped play -> Playing",
@@ -99,7 +99,7 @@ final class Player implements AutoCloseable {
         };
     }
 
-    /** The same that fades for ten seconds at most, and can doze. */
+    /** The same player, which fades for at most ten seconds and can doze. */
     static StateKnowledge dozing(NewFunction function) {
         return knowledge(
                 List.of("Fading", "Dozing"),
@@ -127,10 +127,10 @@ final class Player implements AutoCloseable {
     }
 
     final class Device extends EventExecute {
-        boolean tellsOrder;
+        boolean reportsInOrder;
         boolean canBeAsked;
 
-        /** What happens while the device is not ready yet. */
+        /** What happens while the device is not yet ready. */
         Runnable awaitReady = () -> {};
 
         @Override
@@ -148,7 +148,7 @@ final class Player implements AutoCloseable {
             before.run();
             take(step.trigger());
             sent.add(step.trigger() + (values().isEmpty() ? "" : " " + values()));
-            if (tellsOrder) {
+            if (reportsInOrder) {
                 tookEffect();
             }
             after.run();
@@ -164,7 +164,7 @@ final class Player implements AutoCloseable {
         state = MODELS.original().nextState(state, event).orElse(state);
     }
 
-    /** The device's own button is pressed: it acts, and the converter is told. */
+    /** The device's own button is pressed: the device acts, and the converter is notified. */
     void acts(String event) {
         take(new Event(event));
         buttons.acted(event);
@@ -176,7 +176,7 @@ final class Player implements AutoCloseable {
         observe();
     }
 
-    /** A control of the controller is operated; it waits until {@link #settle}. */
+    /** A control of the controller is operated; the event waits until {@link #settle}. */
     void press(String event) {
         buttons.press(event);
         observe();
@@ -210,7 +210,7 @@ final class Player implements AutoCloseable {
         return entries.get(entries.size() - 1);
     }
 
-    /** What has come to its end, and how. */
+    /** The events that have ended, with their outcomes. */
     List<String> outcomes() {
         return converter.history().stream()
                 .map(entry -> entry.occurrence().label() + " " + entry.outcome())

@@ -16,13 +16,13 @@ import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
 
-/** Monitors that are one function. */
+/** Monitors made from a function. */
 class PollingMonitorTest {
     private final Queue<String> events = new ArrayDeque<>();
 
     private final RecordingExecute device = new RecordingExecute("Device", "play");
 
-    /** A music player whose events come from {@code monitor}, which has seen {@code event}. */
+    /** Where a music player is after {@code monitor} has reported {@code event}. */
     private Configuration after(String event, PollingMonitor monitor) throws InterruptedException {
         try (SystemEventConverter converter = new SystemEventConverter(
                 LoopConfig.defaults("player", new ManualClock()).withoutThreads())) {

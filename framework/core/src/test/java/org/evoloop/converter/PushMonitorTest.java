@@ -24,7 +24,7 @@ import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What is pushed reaches the loop in order, whichever thread brings it there. */
+/** What is pushed reaches the loop in order, whichever thread delivers it. */
 @Timeout(60)
 class PushMonitorTest {
     private static final int EVENTS = 2_000;
@@ -95,7 +95,7 @@ class PushMonitorTest {
     }
 
     @Test
-    void whoReportsMoreBeforeTheConverterIsBuiltIsToldThatTheOldestAreLost() {
+    void lossOfTheOldestReportsBeforeTheConverterIsBuiltIsLogged() {
         try (LoggedLines log = new LoggedLines(SystemEventConverter.class.getName())) {
             for (int event = 0; event < 1_024; event++) {
                 monitor.push(monitor.fromDevice("e" + event));

@@ -21,9 +21,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Whatever happens, however much of it waits, and whatever cannot be sent: after every step the knowledge's original
- * state is where the device is. The device follows the original model to the letter, and acts on its own buttons when
- * it pleases.
+ * Whatever happens, however many events wait, and whatever cannot be sent: after every step the knowledge's original
+ * state equals the device's. The device follows the original model exactly, and its own buttons are pressed at random.
  */
 class RandomWalkTest {
     private static final int STEPS = 2_000;
@@ -45,7 +44,7 @@ class RandomWalkTest {
                         .isEqualTo(walk.device.state);
             }
             assertThat(walk.converter.status().queue().highest())
-                    .as("most that ever waited, with seed %d", seed)
+                    .as("most events waiting at once, with seed %d", seed)
                     .isGreaterThanOrEqualTo(3);
             ConverterStatus.EventCounts counts = walk.converter.status().events();
             assertThat(List.of(counts.handled(), counts.ignored(), counts.failed()))
@@ -77,7 +76,9 @@ class RandomWalkTest {
             converter.start();
         }
 
-        /** Does something at random and lets the converter deal with some of what waits; returns what was done. */
+        /**
+         * Does something at random and lets the converter process some of the waiting events; returns what was done.
+         */
         String step() throws InterruptedException {
             String what = act();
             converter.observe(panel);
@@ -150,7 +151,7 @@ class RandomWalkTest {
             converter.close();
         }
 
-        /** Where the device truly is, whatever component speaks to it. */
+        /** The device's true state, whichever component sends to it. */
         private final class Device {
             private final String name;
             private State state = models.original().initial();

@@ -16,7 +16,7 @@ import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What is pressed while nothing is converted is refused, and whoever pressed is told. */
+/** A press while the converter does not run is refused with an exception. */
 @Timeout(60)
 class RefusedPressTest {
     private final PushMonitor panel = new PushMonitor("Panel");
@@ -75,7 +75,7 @@ class RefusedPressTest {
     }
 
     @Test
-    void whatAnyMonitorTellsBeforeTheFirstStartIsRefused() {
+    void whatAnyMonitorReportsBeforeTheFirstStartIsRefused() {
         try (SystemEventConverter converter = robot(LoopConfig.defaults("robot", new ManualClock()))) {
             socket.add("Clean");
             converter.build();

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What the log says of things that go wrong again and again, or on the clock's thread. */
+/** How repeated errors, and errors on the clock's thread, are logged. */
 @Timeout(60)
 class ReportsTest {
     private final LoggedLines log = new LoggedLines(SystemEventConverter.class.getName());
@@ -25,7 +25,7 @@ class ReportsTest {
         log.close();
     }
 
-    /** A robot in stand-by. */
+    /** A robot in standby. */
     private SystemEventConverter robot(LoopConfig config, NewFunction move) {
         SystemEventConverter converter = new SystemEventConverter(config);
         converter.addMonitor(panel);
@@ -77,7 +77,7 @@ class ReportsTest {
     }
 
     @Test
-    void aQueueThatIsFullAgainAndAgainIsToldMoreAndMoreSeldom() throws InterruptedException {
+    void aQueueThatIsFullAgainAndAgainIsReportedMoreAndMoreSeldom() throws InterruptedException {
         LoopConfig config =
                 LoopConfig.defaults("robot", new ManualClock()).withoutThreads().withQueueCapacity(1);
         try (SystemEventConverter converter = robot(config, NewFunction.none())) {

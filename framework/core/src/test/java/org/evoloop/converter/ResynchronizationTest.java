@@ -10,7 +10,7 @@ import org.evoloop.statemachine.State;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** The device was out of sight, and is found where nobody expected it. */
+/** The device was unreachable, and is found in an unexpected state. */
 class ResynchronizationTest {
     private final LoggedLines transcript = new LoggedLines(Transcript.LOGGER);
     private final Robot robot = new Robot();

@@ -13,7 +13,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 
-/** The paper's cleaning robot as a converter without threads; the device notes what it was sent. */
+/** The paper's cleaning robot as a converter without threads; the device records what it was sent. */
 final class Robot implements AutoCloseable {
     final ManualClock clock = new ManualClock();
     final List<String> sent = new ArrayList<>();
@@ -103,7 +103,7 @@ final class Robot implements AutoCloseable {
         }
     }
 
-    /** Lets the panel's and the functions' events through until nothing waits. */
+    /** Processes the panel's and the functions' events until none waits. */
     void settle() throws InterruptedException {
         converter.observe(panel);
         while (converter.step()) {
@@ -131,7 +131,7 @@ final class Robot implements AutoCloseable {
         return this;
     }
 
-    /** The robot is seen in a state that nobody has heard of. */
+    /** The robot is found in this state. */
     Robot found(String state) throws InterruptedException {
         panel.found(state);
         settle();

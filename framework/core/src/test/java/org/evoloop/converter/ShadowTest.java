@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A music player with other models beside those that run. */
+/** A music player with other models as a shadow of those that run. */
 class ShadowTest {
     private final List<Visit> fadings = new ArrayList<>();
     private final Player player = new Player(fadings::add);
@@ -65,7 +65,7 @@ class ShadowTest {
     }
 
     @Test
-    void timersOfOneOfTheTwoAreTold() {
+    void timersOfOneOfTheTwoAreReported() {
         press("play", "fade");
         Shadow shadow = begin(dozing());
         player.clock.advance(Duration.ofMillis(11_001));
@@ -92,7 +92,7 @@ class ShadowTest {
     }
 
     @Test
-    void eventsOfAFunctionAreHeardWhereBothAreInItsState() throws Exception {
+    void eventsOfAFunctionAreReceivedWhereBothAreInItsState() throws Exception {
         Shadow shadow = begin(Player.knowledge(
                 List.of("Fading"),
                 NewFunction.none(),
@@ -135,7 +135,7 @@ class ShadowTest {
     }
 
     @Test
-    void promotingGoesOnFromWhereTheDeviceIs() {
+    void promotingContinuesFromWhereTheDeviceIs() {
         press("play", "pause");
         Shadow shadow = begin(Player.knowledge(
                 List.of("Fading"), NewFunction.none(), "Paused fade -> Fading", "Fading play -> Playing"));
@@ -175,7 +175,7 @@ class ShadowTest {
     }
 
     @Test
-    void whatWatchesTheOtherModelsTellsWhatTheyWouldHaveBroken() {
+    void propertiesOfTheOtherModelsShowWhatTheyWouldHaveBroken() {
         press("play");
         StateKnowledge next = Player.knowledge(
                 List.of("Fading"), NewFunction.none(), "Paused fade -> Fading", "Fading play -> Playing");
@@ -200,7 +200,7 @@ class ShadowTest {
         assertThat(player.sent).containsExactly("play", "pause", "play", "stop");
     }
 
-    /** An equal model decides the same, whatever happens. */
+    /** Equal models decide the same, whatever happens. */
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
     void equalModelsNeverDiffer(long seed) {

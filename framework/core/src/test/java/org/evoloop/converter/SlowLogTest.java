@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.slf4j.LoggerFactory;
 
-/** A log that takes nothing more, such as a pipe that nobody reads, holds up neither events nor status. */
+/** A log that blocks, such as a pipe that is not read, delays neither events nor status. */
 @Timeout(60)
 class SlowLogTest {
     private final Logger logger = (Logger) LoggerFactory.getLogger(SystemEventConverter.class);

@@ -37,7 +37,7 @@ class StatusAndHistoryTest {
     }
 
     @Test
-    void everyOutcomeStandsInTheHistoryWithItsReason() throws InterruptedException {
+    void everyOutcomeIsInTheHistoryWithItsReason() throws InterruptedException {
         robot.pass(Duration.ofSeconds(3)).panel("Clean", true);
         assertLast(
                 "Clean (panel, the device acted)",
@@ -130,7 +130,7 @@ class StatusAndHistoryTest {
     }
 
     @Test
-    void theStatusTellsEverythingOfOneMoment() throws InterruptedException {
+    void theStatusIsConsistent() throws InterruptedException {
         robot.controller("Clean").controller("Spot");
         robot.panel.press("Clean");
         robot.converter.observe(robot.panel);
@@ -154,7 +154,7 @@ class StatusAndHistoryTest {
     }
 
     @Test
-    void theStatusTellsOfTheLink() {
+    void theStatusReportsTheLink() {
         robot.converter.addLink(new DeviceLink() {
             @Override
             public boolean isUp() {
@@ -171,7 +171,7 @@ class StatusAndHistoryTest {
     }
 
     @Test
-    void whatWasReadFromADeviceThatIsGoneIsNotTold() {
+    void readingsOfADeviceThatIsGoneAreNotShown() {
         List<Reading> readings = List.of(Reading.of("battery", 93, "%"));
 
         assertThat(new ConverterStatus.LinkStatus(true, "a cable", readings).readings())

@@ -42,7 +42,7 @@ class StopAndStartTest {
             made.converter.addExecute(made.device("Device", step -> {
                 if (step.source().name().equals("On")) {
                     sending.countDown();
-                    // Well within the time that a stop grants.
+                    // Well within the time that a stop allows.
                     until(() -> made.converter.status().loop() == LoopState.STOPPED);
                 }
             }));
@@ -113,7 +113,7 @@ class StopAndStartTest {
             life.add("begins");
             try {
                 visit.awaitEnd();
-                life.add("is told");
+                life.add("is notified");
             } catch (InterruptedException left) {
                 life.add("is interrupted");
             }
@@ -149,7 +149,7 @@ class StopAndStartTest {
     }
 
     @Test
-    void executesAreToldBeforeTheLoopOpensAndAfterItHasClosed() {
+    void executesAreNotifiedBeforeTheLoopOpensAndAfterItHasClosed() {
         try (LiveRobot robot = new LiveRobot(threading, NewFunction.none())) {
             robot.press("Clean");
             until(robot.converter::stop);
@@ -169,7 +169,7 @@ class StopAndStartTest {
     }
 
     @Test
-    void anExecuteThatFailsInItsHooksHoldsNothingUp() {
+    void anExecuteThatFailsInItsHooksDelaysNothing() {
         EventExecute rude = new EventExecute("Rude") {
             @Override
             protected Set<String> sendableEvents() {

@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Timers belong to one visit of a state. */
+/** Timers belong to one visit to a state. */
 @Timeout(60)
 class TimersTest {
     @Test
@@ -121,7 +121,7 @@ class TimersTest {
         }
     }
 
-    /** A lamp that goes out by itself, and blinks before it does: time triggers in an old and in a new state. */
+    /** A lamp that goes out by itself and blinks before that: time triggers in an old and in a new state. */
     private static final ModelPair LAMP = new ModelPair(
             StateMachine.named("original")
                     .initial("off")

@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** Events at fixed times of the day, on clocks that are set and days that have 23 or 25 hours. */
+/** Events at fixed times of the day, when the clock is set and on days of 23 or 25 hours. */
 class TimetableMonitorTest {
     private static final ZoneId BERLIN = ZoneId.of("Europe/Berlin");
     private static final Duration MINUTE = Duration.ofMinutes(1);
@@ -130,7 +130,7 @@ class TimetableMonitorTest {
     }
 
     @Test
-    void aClockThatIsSetForwardTellsWhatItSkippedUnlessThatIsOld() throws InterruptedException {
+    void aClockThatIsSetForwardReportsWhatItSkippedUnlessThatIsOld() throws InterruptedException {
         clock.set("2026-11-23T05:00:00Z");
         begin(daily(ZoneOffset.UTC, LocalTime.of(6, 0), LocalTime.of(7, 0), LocalTime.of(7, 30)));
         clock.set("2026-11-23T07:45:00Z");

@@ -13,7 +13,7 @@ import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** When the transcript says what. */
+/** What the transcript says, and when. */
 class TranscriptTest {
     private final LoggedLines transcript = new LoggedLines(Transcript.LOGGER);
     private final List<String> saidBeforeTheCommandLeft = new ArrayList<>();
@@ -28,7 +28,7 @@ class TranscriptTest {
     }
 
     @Test
-    void nothingStandsInTheWayOfACommand() throws InterruptedException {
+    void nothingDelaysACommand() throws InterruptedException {
         converter.addMonitor(panel);
         converter.addExecute(new EventExecute("Device") {
             @Override

@@ -68,7 +68,7 @@ class TwoDevicesTest {
             if (jammed && name().equals("Lock")) {
                 throw new IOException("jammed");
             }
-            // Where the device is when the event is sent: the knowledge has followed every event before it.
+            // The device's state when the event is sent: the knowledge has followed every earlier event.
             sent.add(name() + ":" + step.event() + " in "
                     + converter.knowledge().getOriginalState() + " = " + step.source());
         }
@@ -113,7 +113,7 @@ class TwoDevicesTest {
     }
 
     @Test
-    void aPlanThatBreaksOffAtTheSecondComponentGoesOnFromThere() {
+    void aPlanThatBreaksOffAtTheSecondComponentContinuesFromThere() {
         jammed = true;
         HistoryEntry failed = press(bell, "visitor");
         assertThat(failed.outcome()).isEqualTo(Outcome.FAILED);
@@ -126,7 +126,7 @@ class TwoDevicesTest {
     }
 
     @Test
-    void whatEachMonitorTellsStaysInOrder() {
+    void whatEachMonitorReportsStaysInOrder() {
         for (String event : List.of("wake", "unlock", "open", "close", "lock")) {
             remote.press(event);
             bell.push(bell.fromController("nonsense"));

@@ -9,7 +9,7 @@ import org.evoloop.function.Visit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** An event that neither model knows is told as such, with the names that may have been meant. */
+/** An event that neither model has is reported as unknown, with similar names. */
 class UnknownEventTest {
     private final LoggedLines log = new LoggedLines(SystemEventConverter.class.getName());
     private final Robot robot = new Robot();
@@ -33,7 +33,7 @@ class UnknownEventTest {
     }
 
     @Test
-    void whatTheDeviceAndFunctionsTellIsNamedOnceABurst() throws InterruptedException {
+    void unknownEventsOfDeviceAndFunctionsAreLoggedOnceABurst() throws InterruptedException {
         for (int time = 0; time < 5; time++) {
             robot.device("endSpott");
         }
@@ -54,7 +54,7 @@ class UnknownEventTest {
     }
 
     @Test
-    void aFunctionThatWillFinishWithOneIsToldWhenItSaysSo() throws InterruptedException {
+    void aFunctionThatWillFinishWithOneIsReportedWhenItSaysSo() throws InterruptedException {
         robot.controller("Clean").controller("Spot");
         Visit visit = robot.moving;
         assertThat(visit).isNotNull();

@@ -22,7 +22,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What would wait for ever, or for itself, says so or does not wait. */
+/** Calls that would wait forever, or for themselves, fail or do not wait. */
 @Timeout(60)
 class WrongModeTest {
     private final LoggedLines log = new LoggedLines(SystemEventConverter.class.getName());
@@ -84,7 +84,7 @@ class WrongModeTest {
     }
 
     @Test
-    void aMonitorThatHasNothingToTellAndDoesNotWaitIsNamedAndAskedSeldom() {
+    void aMonitorThatReturnsNothingWithoutWaitingIsNamedAndPolledSeldom() {
         AtomicLong asked = new AtomicLong();
         try (LiveRobot robot = new LiveRobot(NewFunction.none(), 8, made -> {
             made.converter.addMonitor(new EventMonitor("Idle") {
@@ -108,7 +108,7 @@ class WrongModeTest {
     }
 
     @Test
-    void closeWithinAComponentReturnsAtOnceAndNobodyIsBlamed() {
+    void closeWithinAComponentReturnsAtOnceAndNoComponentIsBlamed() {
         CountDownLatch returned = new CountDownLatch(1);
         LiveRobot robot = new LiveRobot(
                 NewFunction.none(),

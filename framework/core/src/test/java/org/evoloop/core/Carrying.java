@@ -7,7 +7,7 @@ import org.evoloop.core.World.Phase;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Step;
 
-/** What the components of the loop do next with the occurrence in progress, well or badly. */
+/** What the loop's components can do next with the occurrence in progress, including failing. */
 final class Carrying {
     private final Snapshot now;
     private final World world;
@@ -24,40 +24,40 @@ final class Carrying {
         Carrying carrying = new Carrying(now, world, time);
         Work work = now.work();
         if (work != null && work.stage() != Work.Stage.INTERRUPTED) {
-            carrying.goOn(work);
+            carrying.proceed(work);
             carrying.fail(work);
         }
-        // Also while something is in progress: then nothing must come of it.
+        // Also while something is in progress; then it must have no effect.
         boolean interrupted = work != null && work.stage() == Work.Stage.INTERRUPTED;
         if (world.phase == Phase.OPEN && (interrupted || !now.waiting().isEmpty() || now.followOwed())) {
-            carrying.tell(new Input.Ready(), world.copy());
+            carrying.input(new Input.Ready(), world.copy());
         }
         return carrying.found;
     }
 
-    private void tell(Input input, World next) {
-        found.add(Move.told(input, next));
+    private void input(Input input, World next) {
+        found.add(Move.noticed(input, next));
     }
 
-    private void goOn(Work work) {
+    private void proceed(Work work) {
         long number = work.pending().number();
         Output.Directive asked = world.asked;
         if (work.decision() == null) {
             for (Decision plan : world.plans) {
-                tell(new Input.Planned(number, plan, time), world.copy());
+                input(new Input.Planned(number, plan, time), world.copy());
             }
         } else if (work.stage() == Work.Stage.RESUMED) {
-            tell(new Input.Planned(number, work.decision(), time), world.copy());
+            input(new Input.Planned(number, work.decision(), time), world.copy());
         } else if (asked instanceof Output.Send send) {
             announce(number, send.step());
         } else if (asked instanceof Output.Run && work.stage() != Work.Stage.RUNNING) {
-            tell(new Input.Running(number), world.copy());
+            input(new Input.Running(number), world.copy());
         } else if (asked instanceof Output.Run) {
-            tell(new Input.EffectRun(number, "", time), done());
+            input(new Input.EffectRun(number, "", time), done());
             if (world.may(Act.FAIL)) {
                 World failed = world.spent(Act.FAIL);
                 failed.asked = null;
-                tell(new Input.EffectRun(number, "it failed", time), failed);
+                input(new Input.EffectRun(number, "it failed", time), failed);
             }
         } else if (asked instanceof Output.Locate) {
             locate(number);
@@ -72,17 +72,17 @@ final class Carrying {
 
     private void announce(long number, Step step) {
         World next = done();
-        // Unless the core does not let it be sent, see World.heard.
+        // Undone if the core does not let it be sent; see World.heard.
         next.flight = new World.Flight(number, step);
-        tell(new Input.Sending(number), next);
+        input(new Input.Sending(number), next);
     }
 
     private void locate(long number) {
         if (!world.scene.canLocate()) {
-            tell(new Input.Located(number, null, time), done());
+            input(new Input.Located(number, null, time), done());
         } else if (world.answer != null) {
-            tell(new Input.Located(number, world.answer, time), done());
-        } else if (world.untold.isEmpty()) {
+            input(new Input.Located(number, world.answer, time), done());
+        } else if (world.unreported.isEmpty()) {
             World next = world.copy();
             next.answer = world.device;
             next.stray = null;
@@ -96,11 +96,11 @@ final class Carrying {
         if (world.may(Act.FAIL) && !landed) {
             World next = world.spent(Act.FAIL);
             next.noLongerSent();
-            tell(new Input.Failed(number, "it failed", time), next);
+            input(new Input.Failed(number, "it failed", time), next);
         }
         if (world.may(Act.DISMISS) && work.decision() == null) {
-            tell(new Input.Dismissed(number, time), world.spent(Act.DISMISS));
-            tell(new Input.Planned(number, new Decision.Refused(now.at(), "a rule"), time), world.spent(Act.DISMISS));
+            input(new Input.Dismissed(number, time), world.spent(Act.DISMISS));
+            input(new Input.Planned(number, new Decision.Refused(now.at(), "a rule"), time), world.spent(Act.DISMISS));
         }
         if (world.may(Act.GIVE_UP)) {
             giveUp(number, landed);
@@ -111,11 +111,11 @@ final class Carrying {
         World next = world.spent(Act.GIVE_UP);
         next.stray = world.flight != null && !landed ? world.flight : world.stray;
         next.noLongerSent();
-        tell(new Input.GivenUp(number, "it was given up", time), next);
+        input(new Input.GivenUp(number, "it was given up", time), next);
         if (landed && world.mayHideEffects()) {
             World hidden = next.copy();
-            hidden.untold.removeIf(token -> token instanceof Token.Effect);
-            tell(new Input.GivenUp(number, "it was given up, and will not tell", time), hidden);
+            hidden.unreported.removeIf(token -> token instanceof Token.Effect);
+            input(new Input.GivenUp(number, "it was given up, and its effect will not be reported", time), hidden);
         }
     }
 }

@@ -4,101 +4,101 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 
-/** What exploration has found: each left a record that was sure of something else than where the device was. */
+/** Found by exploration: each of these led to a wrong recorded state that was not in doubt. */
 class CounterExamplesTest {
 
     @Test
     void aStepThatWasGivenUpHasItsEffectWhileAnotherIsSent() {
-        ScriptedCore told = new ScriptedCore(Scene.bulb()).press("switch").begins();
-        long first = told.number();
-        told.givenUp().asksInVain().press("switch").begins();
+        ScriptedCore core = new ScriptedCore(Scene.bulb()).press("switch").begins();
+        long first = core.number();
+        core.givenUp().asksInVain().press("switch").begins();
 
-        told.sent(first, true);
-        assertThat(told.record()).isEqualTo("on");
-        told.sent(true);
+        core.sent(first, true);
+        assertThat(core.record()).isEqualTo("on");
+        core.sent(true);
 
-        assertThat(told.record()).as("switched twice").isEqualTo("off");
+        assertThat(core.record()).as("switched twice").isEqualTo("off");
     }
 
     @Test
     void outOfOrderThatIsNotKnownToHaveComeFirst() {
-        ScriptedCore told = new ScriptedCore(Scene.bulb()).press("switch").begins();
-        long first = told.number();
-        told.givenUp().asksInVain().press("switch").begins();
+        ScriptedCore core = new ScriptedCore(Scene.bulb()).press("switch").begins();
+        long first = core.number();
+        core.givenUp().asksInVain().press("switch").begins();
 
-        told.sent(first, false);
-        told.sent(false);
+        core.sent(first, false);
+        core.sent(false);
 
-        assertThat(told.record()).isEqualTo("on, in doubt");
+        assertThat(core.record()).isEqualTo("on, in doubt");
     }
 
     @Test
     void theDeviceActsBetweenALateEffectAndItsReport() {
-        ScriptedCore told = new ScriptedCore(Scene.robot()).press("Clean").begins();
-        long first = told.number();
+        ScriptedCore core = new ScriptedCore(Scene.robot()).press("Clean").begins();
+        long first = core.number();
 
         // The device took Clean, then its own Spot, and ended in Spot.
-        told.givenUp().own("Spot").sent(first, false);
+        core.givenUp().own("Spot").sent(first, false);
 
-        assertThat(told.record()).isEqualTo("Off, in doubt");
+        assertThat(core.record()).isEqualTo("Off, in doubt");
     }
 
     @Test
     void inOrderALateEffectCameAfterWhatTheDeviceDid() {
-        ScriptedCore told = new ScriptedCore(Scene.robot()).press("Clean").begins();
-        long first = told.number();
+        ScriptedCore core = new ScriptedCore(Scene.robot()).press("Clean").begins();
+        long first = core.number();
 
-        told.givenUp().own("Clean").sent(first, true);
+        core.givenUp().own("Clean").sent(first, true);
 
-        assertThat(told.record()).isEqualTo("Clean");
+        assertThat(core.record()).isEqualTo("Clean");
     }
 
     @Test
     void aSecondDoubtIsNotSettledByKnowingOfTheSecondStep() {
-        ScriptedCore told = new ScriptedCore(Scene.bulb()).press("switch").begins();
-        told.givenUp().asksInVain().press("switch").begins();
-        long second = told.number();
+        ScriptedCore core = new ScriptedCore(Scene.bulb()).press("switch").begins();
+        core.givenUp().asksInVain().press("switch").begins();
+        long second = core.number();
 
-        told.givenUp().sent(second, true);
+        core.givenUp().sent(second, true);
 
-        assertThat(told.record()).isEqualTo("off, in doubt");
+        assertThat(core.record()).isEqualTo("off, in doubt");
     }
 
     @Test
     void theDeviceIsFoundWhileAStepIsOnItsWay() {
-        ScriptedCore told = new ScriptedCore(Scene.bulb()).press("switch").begins();
+        ScriptedCore core = new ScriptedCore(Scene.bulb()).press("switch").begins();
 
-        told.found("on");
-        assertThat(told.record()).isEqualTo("on");
-        told.sent(true);
+        core.found("on");
+        assertThat(core.record()).isEqualTo("on");
+        core.sent(true);
 
-        assertThat(told.record()).as("switched there").isEqualTo("off");
+        assertThat(core.record()).as("switched there").isEqualTo("off");
     }
 
     @Test
     void outOfOrderTheDeviceMayHaveBeenFoundBeforeOrAfterTheStep() {
-        ScriptedCore told = new ScriptedCore(Scene.bulb()).press("switch").begins();
+        ScriptedCore core = new ScriptedCore(Scene.bulb()).press("switch").begins();
 
-        told.found("on").sent(false);
+        core.found("on").sent(false);
 
-        assertThat(told.record()).endsWith(", in doubt");
+        assertThat(core.record()).endsWith(", in doubt");
     }
 
-    /** Clean then leads to the same place whether it came before or after both, but not if it came between. */
+    /** Clean leads to the same state whether it came before or after both, but not if it came between them. */
     @Test
     void theDeviceActsTwiceWhileAStepIsOnItsWay() {
-        ScriptedCore told =
+        ScriptedCore core =
                 new ScriptedCore(Scene.robot()).press("Clean").begins().sent(false);
-        told.press("Clean").begins();
+        core.press("Clean").begins();
 
-        told.own("Spot").own("endSpot").sent(false);
+        core.own("Spot").own("endSpot").sent(false);
 
-        assertThat(told.record()).isEqualTo("Clean, in doubt");
+        assertThat(core.record()).isEqualTo("Clean, in doubt");
     }
 
     @Test
     void aDeviceThatNeverStopsActingWhileItIsAskedIsNotTakenAtItsWord() {
-        ScriptedCore told = new ScriptedCore(Scene.bulb())
+        ScriptedCore core = new ScriptedCore(Scene.bulb())
                 .press("switch")
                 .begins()
                 .givenUp()
@@ -106,43 +106,43 @@ class CounterExamplesTest {
                 .planned();
 
         for (int attempt = 0; attempt <= Conversion.MOST_ATTEMPTS; attempt++) {
-            told.own("switch").located("off");
+            core.own("switch").located("off");
         }
 
-        assertThat(told.core.isBusy()).isFalse();
-        assertThat(told.record()).isEqualTo("on, in doubt");
+        assertThat(core.core.isBusy()).isFalse();
+        assertThat(core.record()).isEqualTo("on, in doubt");
     }
 
     @Test
     void aStepThatWasGivenUpHasItsEffectAfterTheDeviceWasFound() {
-        ScriptedCore told = new ScriptedCore(Scene.bulb()).press("switch").begins();
-        long first = told.number();
+        ScriptedCore core = new ScriptedCore(Scene.bulb()).press("switch").begins();
+        long first = core.number();
 
-        told.givenUp().found("off");
-        assertThat(told.record()).isEqualTo("off");
-        told.sent(first, true);
+        core.givenUp().found("off");
+        assertThat(core.record()).isEqualTo("off");
+        core.sent(first, true);
 
-        assertThat(told.record()).isEqualTo("on");
+        assertThat(core.record()).isEqualTo("on");
     }
 
     @Test
     void outOfOrderThatIsInDoubtAgain() {
-        ScriptedCore told = new ScriptedCore(Scene.bulb()).press("switch").begins();
-        long first = told.number();
+        ScriptedCore core = new ScriptedCore(Scene.bulb()).press("switch").begins();
+        long first = core.number();
 
-        told.givenUp().found("off").sent(first, false);
+        core.givenUp().found("off").sent(first, false);
 
-        assertThat(told.record()).isEqualTo("off, in doubt");
+        assertThat(core.record()).isEqualTo("off, in doubt");
     }
 
     @Test
     void aStepThatWasGivenUpHasItsEffectAfterAnother() {
-        ScriptedCore told = new ScriptedCore(Scene.bulb()).press("switch").begins();
-        long first = told.number();
-        told.givenUp().asksInVain().press("switch").begins();
+        ScriptedCore core = new ScriptedCore(Scene.bulb()).press("switch").begins();
+        long first = core.number();
+        core.givenUp().asksInVain().press("switch").begins();
 
-        told.found("off").sent(true).sent(first, true);
+        core.found("off").sent(true).sent(first, true);
 
-        assertThat(told.record()).isEqualTo("off");
+        assertThat(core.record()).isEqualTo("off");
     }
 }

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * The same inputs give the same outputs and the same next state, also when that is written down and restored each time.
+ * The same inputs give the same outputs and the same next state, also if the state is saved and restored after each.
  */
 class DeterminismTest {
     private static final int STORIES = 1_000;
@@ -24,7 +24,7 @@ class DeterminismTest {
 
     @ParameterizedTest(name = "seed {0}")
     @MethodSource("seeds")
-    void aThousandStoriesToldAgain(long seed) {
+    void aThousandStoriesAreRepeatable(long seed) {
         Random random = new Random(seed);
         List<Scene> scenes = new ArrayList<>(Scene.robot().with(3, Act.values()).kinds());
         scenes.addAll(Scene.bulb().with(3, Act.values()).kinds());
@@ -33,11 +33,11 @@ class DeterminismTest {
         scenes.addAll(RandomPair.scene(seed).with(3, Act.values()).kinds());
         for (int story = 0; story < STORIES; story++) {
             Scene scene = scenes.get(random.nextInt(scenes.size()));
-            isToldAgain(scene, RandomStory.of(scene, random, LENGTH));
+            assertRepeatable(scene, RandomStory.of(scene, random, LENGTH));
         }
     }
 
-    private static void isToldAgain(Scene scene, List<Input> inputs) {
+    private static void assertRepeatable(Scene scene, List<Input> inputs) {
         List<Output> said = new ArrayList<>();
         List<Output> saidAgain = new ArrayList<>();
         Core first = new Core(scene.rules(), said::add);
@@ -49,7 +49,7 @@ class DeterminismTest {
             Rules before = first.rules();
             first.apply(input);
             second.apply(input);
-            Wiring.Result afterRestoring = Wiring.REAL.tell(before, restored, input);
+            Wiring.Result afterRestoring = Wiring.REAL.apply(before, restored, input);
             restored = SnapshotText.read(first.rules(), SnapshotText.write(afterRestoring.after()));
 
             if (!said.equals(saidAgain) || !said.equals(afterRestoring.said())) {

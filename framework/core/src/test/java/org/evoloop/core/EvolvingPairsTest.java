@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Models that take over from any others, wherever that is possible. */
+/** Any models can replace any others wherever a migration exists. */
 class EvolvingPairsTest {
     private static final int LENGTH = 40;
     private static final List<String> STATES = List.of("A", "B", "C", "N", "W");
@@ -31,7 +31,7 @@ class EvolvingPairsTest {
         return new Random(20).longs(10_000);
     }
 
-    /** A story in which one random pair takes over from another, by a random mapping, and back. */
+    /** A scene in which one random pair replaces another, by a random mapping, and back. */
     private static Scene scene(long seed) {
         Random random = new Random(seed);
         Mapping mapping = Mapping.byName();
@@ -78,7 +78,7 @@ class EvolvingPairsTest {
             List<Output> said = List.of();
             Input input = move.input();
             if (input != null) {
-                Wiring.Result result = Wiring.REAL.tell(rules, before, input);
+                Wiring.Result result = Wiring.REAL.apply(rules, before, input);
                 said = result.said();
                 now = result.after();
                 world.heard(input, said, now);
@@ -116,7 +116,9 @@ class EvolvingPairsTest {
                 .toList();
     }
 
-    /** Where device and evolved system stand together; elsewhere the next models have their own ways. */
+    /**
+     * Only where device and evolved system are in the same state; elsewhere the next models have paths of their own.
+     */
     @ParameterizedTest
     @MethodSource("seeds")
     void aSwapWithItsRollbackEqualsNone(long seed) {

@@ -11,9 +11,7 @@ import java.util.Set;
 import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
 
-/**
- * Every interleaving of a scene, shortest first, equal situations once.
- */
+/** Explores every interleaving of a scene, shortest first, and equal situations once. */
 final class Exploration {
     /** How a situation was reached. */
     private record Path(@Nullable Path before, String what) {
@@ -30,9 +28,9 @@ final class Exploration {
     private record Situation(Path path, Snapshot snapshot, World world, int depth) {}
 
     /**
-     * What came of it.
+     * The result.
      *
-     * @param situations how many were met
+     * @param situations how many were reached
      * @param depth of the deepest
      * @param violation empty if every invariant holds, else what is violated, and the inputs that lead there
      */
@@ -51,12 +49,12 @@ final class Exploration {
         this.visitor = visitor;
     }
 
-    /** Explores to the end, or until something is violated or so many inputs long. */
+    /** Explores to the end, until an invariant is violated, or up to this many inputs. */
     static Result of(Scene scene, Wiring wiring, int depth) {
         return new Exploration(scene, wiring, (rules, snapshot) -> {}).run(depth);
     }
 
-    /** @param visitor is shown each situation of the core */
+    /** @param visitor receives each situation of the core */
     static Result of(Scene scene, int depth, BiConsumer<Rules, Snapshot> visitor) {
         return new Exploration(scene, Wiring.REAL, visitor).run(depth);
     }
@@ -92,7 +90,7 @@ final class Exploration {
         List<Output> said = List.of();
         Snapshot after = before;
         if (move.input() != null) {
-            Wiring.Result result = wiring.tell(at.world().rules(), before, move.input());
+            Wiring.Result result = wiring.apply(at.world().rules(), before, move.input());
             said = result.said();
             after = result.after();
             world.heard(move.input(), said, after);

@@ -12,14 +12,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Every interleaving of what can happen, told to the real core. What may happen how often is part of a test's name;
- * within that, stories are followed to their ends, or as many happenings long as is said. A violation is printed as a
- * story.
+ * Gives the real core every interleaving of what can happen. What may happen how often is part of a test's name; within
+ * that, stories are followed to their ends, or up to the given length. A violation is printed as a story.
  */
 class ExplorationTest {
     private static final int TO_THE_END = Integer.MAX_VALUE;
 
-    /** An adapter that keeps the order with a device that can tell where it is, and one that does neither. */
+    /** An adapter that keeps the order with a device that can report its state, and one without either. */
     private static Stream<Scene> bestAndWorst(Scene scene) {
         return Stream.of(scene, scene.mute().outOfOrder());
     }

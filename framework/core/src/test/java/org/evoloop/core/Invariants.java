@@ -9,7 +9,7 @@ import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
-/** What must hold whenever the core was told something, or something happened that it does not notice. */
+/** What must hold after every input of the core, and after everything that happens without its notice. */
 final class Invariants {
     private final Snapshot before;
     private final @Nullable Input input;
@@ -44,14 +44,14 @@ final class Invariants {
     }
 
     private String recordIsDevice() {
-        boolean quiet = world.untold.isEmpty()
+        boolean quiet = world.unreported.isEmpty()
                 && new Core(world.rules(), after, output -> {}).doubt().isEmpty();
         return quiet && !after.at().original().equals(world.device)
                 ? "record: the device is in " + world.device + ", the record says " + after.at()
                 : "";
     }
 
-    /** First come first served, and only when nothing is in progress. */
+    /** First come, first served, and only when nothing is in progress. */
     private String oneAfterTheOther() {
         for (Output output : said) {
             if (output instanceof Output.Begin begin) {
@@ -115,7 +115,7 @@ final class Invariants {
             }
         }
         return visit != after.visit().number() || over != after.visit().over()
-                ? "visit: told " + visit + (over ? ", over" : "") + ", known " + after.visit()
+                ? "visit: notified of " + visit + (over ? ", over" : "") + ", known " + after.visit()
                 : "";
     }
 
@@ -161,7 +161,7 @@ final class Invariants {
         return work != null && List.of(stages).contains(work.stage());
     }
 
-    /** Whatever ends a process, what was taken and done in a plan stays so. */
+    /** However a process ends, steps of a plan that were done stay done. */
     private String nothingIsDoneAgain() {
         Work last = before.work();
         Work work = after.work();

@@ -9,9 +9,9 @@ import org.evoloop.evolution.Occurrence;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What of a situation decides how it can go on: equal for situations that differ in nothing but how much was counted
- * and how late it is. Numbers are told by where they occur first, visits and times by whether they are those of the
- * present.
+ * The part of a situation that decides how it can continue: equal for situations that differ only in counters and in
+ * the time. Numbers are replaced by the order of their first occurrence, visits and times by whether they are the
+ * present ones.
  */
 final class Likeness {
     private final Snapshot now;
@@ -50,7 +50,7 @@ final class Likeness {
     private List<Object> ofWorld() {
         return list(
                 world.device,
-                world.untold.stream().map(this::of).toList(),
+                world.unreported.stream().map(this::of).toList(),
                 of(world.flight),
                 world.landed,
                 of(world.stray),

@@ -11,10 +11,10 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 
-/** What the device does next, and what its adapter tells of it. */
+/** What the device can do next, and what its adapter can report. */
 final class Living {
-    /** So much may have happened at the device without having been told. */
-    private static final int MOST_UNTOLD = 2;
+    /** The most events at the device that are not yet reported. */
+    private static final int MOST_UNREPORTED = 2;
 
     private final Snapshot now;
     private final World world;
@@ -30,10 +30,10 @@ final class Living {
     static List<Move> of(Snapshot now, World world, long time) {
         Living living = new Living(now, world, time);
         living.takesSteps();
-        if (world.untold.size() < MOST_UNTOLD) {
+        if (world.unreported.size() < MOST_UNREPORTED) {
             living.actsByItself();
         }
-        living.tells();
+        living.reports();
         return living.found;
     }
 
@@ -46,14 +46,14 @@ final class Living {
         }
         World.Flight stray = world.stray;
         if (stray != null) {
-            World told = landing(stray);
-            told.stray = null;
-            found.add(Move.unnoticed("the device takes " + stray.step().trigger() + ", which was given up", told));
+            World next = landing(stray);
+            next.stray = null;
+            found.add(Move.unnoticed("the device takes " + stray.step().trigger() + ", which was given up", next));
             if (world.mayHideEffects()) {
                 World hidden = world.copy();
                 hidden.take(stray.step().trigger());
                 hidden.stray = null;
-                found.add(Move.unnoticed("the device takes " + stray.step().trigger() + " and nobody is told", hidden));
+                found.add(Move.unnoticed("the device takes " + stray.step().trigger() + ", unreported", hidden));
             }
         }
     }
@@ -61,7 +61,7 @@ final class Living {
     private World landing(World.Flight flight) {
         World next = world.copy();
         next.take(flight.step().trigger());
-        next.untold.add(new Token.Effect(flight.number()));
+        next.unreported.add(new Token.Effect(flight.number()));
         return next;
     }
 
@@ -71,7 +71,7 @@ final class Living {
                 if (model().hasTransition(world.device, event)) {
                     World next = world.spent(Act.OWN);
                     next.take(event);
-                    next.untold.add(new Token.Own(event));
+                    next.unreported.add(new Token.Own(event));
                     found.add(Move.unnoticed("the device does " + event + " by itself", next));
                 }
             }
@@ -81,11 +81,11 @@ final class Living {
                 World next = world.spent(Act.JUMP);
                 next.device = state;
                 next.stray = null;
-                next.untold.add(new Token.Seen(state));
+                next.unreported.add(new Token.Seen(state));
                 found.add(Move.unnoticed("the device gets to " + state, next));
                 if (now.steps() > 0) {
                     Occurrence late = new Occurrence.Found(state, now.lastStepNanos() - 1);
-                    found.add(Move.told(new Input.Observed(late), world.spent(Act.JUMP)));
+                    found.add(Move.noticed(new Input.Observed(late), world.spent(Act.JUMP)));
                 }
             }
         }
@@ -96,17 +96,16 @@ final class Living {
     }
 
     /**
-     * An adapter that keeps the order tells what happened first; another tells facts while an effect waits for its
-     * turn.
+     * An adapter that keeps the order reports what happened first; another may report facts before an earlier effect.
      */
-    private void tells() {
-        for (int index = 0; index < world.untold.size(); index++) {
-            Token token = world.untold.get(index);
+    private void reports() {
+        for (int index = 0; index < world.unreported.size(); index++) {
+            Token token = world.unreported.get(index);
             boolean effect = token instanceof Token.Effect;
             if (index == 0 || (!world.scene.inOrder() && !effect)) {
                 World next = world.copy();
-                next.untold.remove(index);
-                found.add(tells(token, next));
+                next.unreported.remove(index);
+                found.add(reports(token, next));
             }
             if (!effect) {
                 return;
@@ -114,22 +113,22 @@ final class Living {
         }
     }
 
-    private Move tells(Token token, World next) {
+    private Move reports(Token token, World next) {
         if (token instanceof Token.Own own) {
             boolean alone = world.rules().table().isDevicesOwn(own.event());
-            return Move.told(
+            return Move.noticed(
                     new Input.Observed(new Occurrence.Heard(
                             own.event(), Values.NONE, Source.DEVICE, !alone, Set.of(), Occurrence.ANY_VISIT, time)),
                     next);
         }
         if (token instanceof Token.Seen seen) {
             next.stray = null;
-            return Move.told(new Input.Observed(new Occurrence.Found(seen.state(), time)), next);
+            return Move.noticed(new Input.Observed(new Occurrence.Found(seen.state(), time)), next);
         }
         long number = ((Token.Effect) token).number();
         if (next.flight != null && next.flight.number() == number) {
             next.noLongerSent();
         }
-        return Move.told(new Input.Sent(number, world.scene.inOrder(), time), next);
+        return Move.noticed(new Input.Sent(number, world.scene.inOrder(), time), next);
     }
 }

@@ -12,7 +12,7 @@ import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Values;
 import org.evoloop.statemachine.Event;
 
-/** All that can happen next from outside: what people, timers, functions and whoever runs the converter do. */
+/** Everything that can happen next from outside: acts of people, timers, functions and the converter's program. */
 final class Moves {
     private final Snapshot now;
     private final World world;
@@ -25,7 +25,7 @@ final class Moves {
         this.time = time;
     }
 
-    /** @param time of what the core is told */
+    /** @param time the time of the inputs */
     static List<Move> of(Snapshot now, World world, long time) {
         Moves moves = new Moves(now, world, time);
         moves.found.addAll(Carrying.of(now, world, time));
@@ -55,13 +55,13 @@ final class Moves {
             if (world.may(Act.ASK)) {
                 for (Event event : world.scene.presses()) {
                     Occurrence asked = new Occurrence.Asked(event, Values.NONE, visit, time);
-                    found.add(Move.told(new Input.Observed(asked), world.spent(Act.ASK)));
+                    found.add(Move.noticed(new Input.Observed(asked), world.spent(Act.ASK)));
                 }
             }
         }
     }
 
-    /** The current one and the one before, whose function may not have noticed that it is over. */
+    /** The current visit and the previous one, whose function may not have noticed that it is over. */
     private Set<Long> visits() {
         Set<Long> visits = new LinkedHashSet<>();
         long last = now.visit().number();
@@ -73,19 +73,19 @@ final class Moves {
 
     private void observe(Act act, Event event, Source source, long visit) {
         Occurrence heard = new Occurrence.Heard(event, Values.NONE, source, visit, time);
-        found.add(Move.told(new Input.Observed(heard), world.spent(act)));
+        found.add(Move.noticed(new Input.Observed(heard), world.spent(act)));
     }
 
     private void timers() {
         long visit = now.visit().number();
         now.visit().deadlines().forEach((event, due) -> {
             if (!hasFired(event, visit)) {
-                found.add(Move.told(new Input.TimerDue(visit, event, due), world.copy()));
+                found.add(Move.noticed(new Input.TimerDue(visit, event, due), world.copy()));
             }
         });
         if (visit > 1 && world.may(Act.RAISE)) {
             for (Event event : world.scene.raised()) {
-                found.add(Move.told(new Input.TimerDue(visit - 1, event, time), world.spent(Act.RAISE)));
+                found.add(Move.noticed(new Input.TimerDue(visit - 1, event, time), world.spent(Act.RAISE)));
             }
         }
     }
@@ -101,11 +101,11 @@ final class Moves {
 
     private void lifecycle() {
         if (world.phase == Phase.CLOSED) {
-            found.add(Move.told(new Input.Opened(time), in(world.copy(), Phase.OPEN)));
+            found.add(Move.noticed(new Input.Opened(time), in(world.copy(), Phase.OPEN)));
         } else if (world.phase == Phase.CLOSING && now.work() == null) {
-            found.add(Move.told(new Input.Closed(), in(world.copy(), Phase.CLOSED)));
+            found.add(Move.noticed(new Input.Closed(), in(world.copy(), Phase.CLOSED)));
         } else if (world.phase == Phase.OPEN && world.may(Act.STOP)) {
-            found.add(Move.told(new Input.Closing(), in(world.spent(Act.STOP), Phase.CLOSING)));
+            found.add(Move.noticed(new Input.Closing(), in(world.spent(Act.STOP), Phase.CLOSING)));
         }
         if (world.may(Act.END)) {
             end();
@@ -116,14 +116,14 @@ final class Moves {
             World next = world.spent(Act.EVOLVE);
             next.evolved = !world.evolved;
             next.device = Objects.requireNonNull(swap.succession().deviceState(world.device));
-            found.add(Move.told(new Input.Evolved(swap, time), next));
+            found.add(Move.noticed(new Input.Evolved(swap, time), next));
         }
         if (world.may(Act.CHANGE)) {
-            found.add(Move.told(new Input.Changed(world.rules(), time), world.spent(Act.CHANGE)));
+            found.add(Move.noticed(new Input.Changed(world.rules(), time), world.spent(Act.CHANGE)));
         }
     }
 
-    /** What was sent may still have its effect; whether it is told or not, the process that sent it is gone. */
+    /** What was sent may still take effect, and may be reported or not; the process that sent it is gone. */
     private void end() {
         World next = in(world.spent(Act.END), Phase.CLOSED);
         if (world.flight != null && !world.landed) {
@@ -132,11 +132,11 @@ final class Moves {
         next.noLongerSent();
         next.asked = null;
         next.answer = null;
-        found.add(Move.told(new Input.Recovered(time), next));
+        found.add(Move.noticed(new Input.Recovered(time), next));
         if (world.flight != null && world.landed && world.mayHideEffects()) {
             World hidden = next.copy();
-            hidden.untold.removeIf(token -> token instanceof Token.Effect);
-            found.add(Move.told(new Input.Recovered(time), hidden));
+            hidden.unreported.removeIf(token -> token instanceof Token.Effect);
+            found.add(Move.noticed(new Input.Recovered(time), hidden));
         }
     }
 

@@ -9,7 +9,10 @@ import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 
-/** Mechanisms of the core, each taken out by undoing what it does to a snapshot or says, and what has to notice it. */
+/**
+ * Mechanisms of the core, each removed by undoing its changes to a snapshot or its outputs, and the invariant that must
+ * fail without it.
+ */
 enum Mutation {
     FACTS_WAIT_FOR_THEIR_TURN("record", Scene.robot().with(1, Act.OWN)) {
         @Override
@@ -146,7 +149,7 @@ enum Mutation {
 
         @Override
         List<Output> unsay(Snapshot before, Input input, List<Output> said) {
-            // Which visit it was of is what the driver told.
+            // Restores the visit that the driver gave it.
             Pending first = before.waiting().isEmpty() ? null : before.waiting().get(0);
             return said.stream()
                     .map(output -> output instanceof Output.Begin begin
@@ -223,10 +226,10 @@ enum Mutation {
         }
     };
 
-    /** With what word the violation begins. */
+    /** The word with which the violation begins. */
     final String invariant;
 
-    /** In which it is violated. */
+    /** The scene in which it is violated. */
     final Scene scene;
 
     Mutation(String invariant, Scene scene) {
@@ -237,12 +240,12 @@ enum Mutation {
     /** The core without the mechanism. */
     Wiring wiring() {
         return (rules, before, input) -> {
-            Wiring.Result real = Wiring.REAL.tell(rules, ahead(before, input), input);
+            Wiring.Result real = Wiring.REAL.apply(rules, ahead(before, input), input);
             return new Wiring.Result(unsay(before, input, real.said()), undo(before, input, real.after()));
         };
     }
 
-    /** What the core is made to believe before it is told something. */
+    /** The snapshot that the core is given before an input. */
     Snapshot ahead(Snapshot before, Input input) {
         return before;
     }

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Each invariant of exploration is violated when a mechanism is taken out that keeps it. */
+/** Each invariant of exploration is violated if a mechanism that maintains it is removed. */
 class MutationsTest {
 
     @ParameterizedTest

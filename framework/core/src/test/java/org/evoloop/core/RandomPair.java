@@ -14,7 +14,7 @@ import org.evoloop.statemachine.StateMachineBuilder;
 import org.evoloop.statemachine.Transition;
 
 /**
- * A small pair at random: a device of three states that can be sent {@code a} and {@code b} and does {@code a} and
+ * A small random pair: a device with three states that can be sent {@code a} and {@code b} and does {@code a} and
  * {@code x} by itself, and a new model with two more states, one with a timer, and effects.
  */
 public final class RandomPair {
@@ -33,7 +33,7 @@ public final class RandomPair {
                 .onFailure(then);
     }
 
-    /** The pair that belongs to {@code seed}. */
+    /** The pair of {@code seed}. */
     public static ModelPair models(long seed) {
         return new RandomPair(seed).draw();
     }
@@ -44,7 +44,7 @@ public final class RandomPair {
         return Scene.of("new model of seed " + another, pair, Map.of("W", "late"), "a b", "a", 2);
     }
 
-    /** The same pair whose new model can do more: it has another state, and ways there and back. */
+    /** The same pair with a larger new model: it has another state, with transitions there and back. */
     static Scene more(long seed) {
         ModelPair same = models(seed);
         StateMachine evolved = same.evolved();

@@ -4,11 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 
-/** One way through a scene at random: what a core is told in the course of it. */
+/** The core's inputs along one random path through a scene. */
 final class RandomStory {
     private RandomStory() {}
 
-    /** @param length how many happenings, with those that the core does not notice */
+    /** @param length how many things happen, including those that the core does not notice */
     static List<Input> of(Scene scene, Random random, int length) {
         List<Input> inputs = new ArrayList<>();
         List<Output> said = new ArrayList<>();

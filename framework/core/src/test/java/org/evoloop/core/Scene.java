@@ -21,12 +21,12 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 
 /**
- * What is explored: a pair with its timers, and how often each thing may happen from outside.
+ * What is explored: a pair with its timers, and how often each external act may happen.
  *
- * @param next by what it goes after it has evolved, and evolves back from
- * @param mapping of the states of both
- * @param inOrder whether the adapter tells effects of steps in their place among what the device does by itself
- * @param canLocate whether the device can tell where it is
+ * @param next the rules after it has evolved, from which it also evolves back
+ * @param mapping between the states of both
+ * @param inOrder whether the adapter reports the effects of steps in order with what the device does by itself
+ * @param canLocate whether the device can report its state
  */
 record Scene(
         String name,
@@ -40,21 +40,21 @@ record Scene(
         boolean canLocate,
         Map<Act, Integer> times) {
 
-    /** What may happen from outside, and is counted. */
+    /** What may happen from outside, a limited number of times. */
     enum Act {
         /** A controller's event. */
         PRESS,
-        /** The device does by itself what its model knows. */
+        /** The device does something by itself that is in its model. */
         OWN,
-        /** The device gets somewhere by itself, and is found there. */
+        /** The device changes its state outside its model, and is found there. */
         JUMP,
-        /** A function or a late timer raises an event, maybe of the visit before. */
+        /** A function or a late timer raises an event, possibly of the previous visit. */
         RAISE,
         /** A function asks for an event of the device. */
         ASK,
         /** The converter is closed, or opened again. */
         STOP,
-        /** Other models take over. */
+        /** The models are replaced. */
         EVOLVE,
         /** Components are exchanged. */
         CHANGE,
@@ -64,7 +64,7 @@ record Scene(
         GIVE_UP,
         /** Analyze or plan dismisses an occurrence or refuses it by a rule of its own. */
         DISMISS,
-        /** The process ends at once, and another one takes the core over. */
+        /** The process ends abruptly, and another one takes over the core. */
         END
     }
 
@@ -79,9 +79,9 @@ record Scene(
     /**
      * A scene in which nothing happens.
      *
-     * @param timers a time event for each state that has one
-     * @param sendable names with blanks between
-     * @param spontaneous the same for those that the device does by itself although they can be sent
+     * @param timers the time event of each state that has one
+     * @param sendable names separated by spaces
+     * @param spontaneous likewise, the events that the device does by itself although they can be sent
      */
     static Scene of(
             String name,
@@ -108,7 +108,7 @@ record Scene(
         return new Rules(table, state -> timersOf(timers, state), queueCapacity);
     }
 
-    /** The robot, which may learn to dance and forget its detour by SpotWait. */
+    /** The robot, whose next models add a dance and drop the detour by SpotWait. */
     static Scene dancingRobot() {
         return robot().evolvingTo(
                         "dancing",
@@ -126,7 +126,7 @@ record Scene(
                                 "Dance timeout -> On"));
     }
 
-    /** The robot, which may learn to move while it cleans: it has to be sent there. */
+    /** The robot, whose next models move while it cleans, so that it has to be sent there. */
     static Scene busyRobot() {
         return robot().evolvingTo(
                         "busy",
@@ -151,18 +151,18 @@ record Scene(
                 name + ", " + learnt, rules, other, Mapping.byName(), presses, own, raised, inOrder, canLocate, times);
     }
 
-    /** The same, which may evolve to the pair of {@code other} and back. */
+    /** The same scene, which may evolve to the pair of {@code other} and back. */
     Scene evolvingTo(Scene other, Mapping names) {
         String both = name + ", evolving to " + other.name;
         return new Scene(both, rules, other.rules, names, presses, own, raised, inOrder, canLocate, times);
     }
 
-    /** There, or back. */
+    /** The evolution to the other pair, or back. */
     Swap swap(boolean back) {
         return back ? Swap.of(next, rules, mapping.reversed()) : Swap.of(rules, next, mapping);
     }
 
-    /** The same where this follows whenever a step of a plan fails. */
+    /** The same scene with this reaction to a failed step of a plan. */
     Scene onFailure(OnFailure then) {
         ModelPair pair = rules.table().models();
         Map<State, Map<String, OnFailure>> all = new HashMap<>();
@@ -187,7 +187,7 @@ record Scene(
                 .collect(Collectors.toSet());
     }
 
-    /** The same in which {@code act} may happen so often. */
+    /** The same scene in which {@code act} may happen at most this often. */
     Scene with(Act act, int most) {
         Map<Act, Integer> more = new EnumMap<>(Act.class);
         more.putAll(times);
@@ -203,17 +203,17 @@ record Scene(
         return scene;
     }
 
-    /** The same with an adapter that tells an effect when {@code send} returns. */
+    /** The same scene with an adapter that reports an effect when {@code send} returns. */
     Scene outOfOrder() {
         return new Scene(name, rules, next, mapping, presses, own, raised, false, canLocate, times);
     }
 
-    /** The same with a device that cannot tell where it is. */
+    /** The same scene with a device that cannot report its state. */
     Scene mute() {
         return new Scene(name, rules, next, mapping, presses, own, raised, inOrder, false, times);
     }
 
-    /** Every kind of adapter and device. */
+    /** This scene with every kind of adapter and device. */
     List<Scene> kinds() {
         return List.of(this, outOfOrder(), mute(), mute().outOfOrder());
     }

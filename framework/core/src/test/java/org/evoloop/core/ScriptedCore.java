@@ -9,7 +9,7 @@ import org.evoloop.evolution.Values;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 
-/** A core that is told one thing after the other, in the words of a story. */
+/** Gives a core one input after another, with methods that read like a story. */
 final class ScriptedCore {
     final Core core;
     final List<Output> said = new ArrayList<>();
@@ -17,10 +17,10 @@ final class ScriptedCore {
 
     ScriptedCore(Scene scene) {
         core = new Core(scene.rules(), said::add);
-        tell(new Input.Opened(now));
+        input(new Input.Opened(now));
     }
 
-    ScriptedCore tell(Input input) {
+    ScriptedCore input(Input input) {
         core.apply(input);
         now++;
         return this;
@@ -40,30 +40,30 @@ final class ScriptedCore {
     }
 
     ScriptedCore observe(Occurrence occurrence) {
-        return tell(new Input.Observed(occurrence));
+        return input(new Input.Observed(occurrence));
     }
 
     private Occurrence heard(String event, Source source, boolean acted) {
         return new Occurrence.Heard(new Event(event), Values.NONE, source, acted, Set.of(), Occurrence.ANY_VISIT, now);
     }
 
-    /** The next occurrence is begun. */
+    /** Begins the next occurrence. */
     ScriptedCore ready() {
-        return tell(new Input.Ready());
+        return input(new Input.Ready());
     }
 
-    /** What is in progress is decided by where things are now. */
+    /** Decides the occurrence in progress on the present states. */
     ScriptedCore planned() {
         Work work = work();
-        return tell(new Input.Planned(
+        return input(new Input.Planned(
                 number(), core.rules().decide(core.at(), core.steps(), work.pending(), guard -> false), now));
     }
 
     ScriptedCore sending() {
-        return tell(new Input.Sending(number()));
+        return input(new Input.Sending(number()));
     }
 
-    /** The next occurrence is begun and planned, and its first step is on its way. */
+    /** Begins and plans the next occurrence, and starts sending its first step. */
     ScriptedCore begins() {
         return ready().planned().sending();
     }
@@ -73,24 +73,24 @@ final class ScriptedCore {
     }
 
     ScriptedCore sent(long number, boolean inOrder) {
-        return tell(new Input.Sent(number, inOrder, now));
+        return input(new Input.Sent(number, inOrder, now));
     }
 
     ScriptedCore givenUp() {
-        return tell(new Input.GivenUp(number(), "it was given up", now));
+        return input(new Input.GivenUp(number(), "it was given up", now));
     }
 
-    /** The device is asked where it is, and cannot tell. */
+    /** The device is asked for its state and cannot report it. */
     ScriptedCore asksInVain() {
         ready().planned();
-        return tell(new Input.Located(number(), null, now));
+        return input(new Input.Located(number(), null, now));
     }
 
     ScriptedCore located(String state) {
-        return tell(new Input.Located(number(), new State(state), now));
+        return input(new Input.Located(number(), new State(state), now));
     }
 
-    /** Of the occurrence in progress. */
+    /** The number of the occurrence in progress. */
     long number() {
         return work().pending().number();
     }
@@ -103,7 +103,7 @@ final class ScriptedCore {
         return work;
     }
 
-    /** Where the record says that the device is, and whether it is in doubt. */
+    /** The recorded state of the device, and whether it is in doubt. */
     String record() {
         return core.at().original() + (core.doubt().isEmpty() ? "" : ", in doubt");
     }

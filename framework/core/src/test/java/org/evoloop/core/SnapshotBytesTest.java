@@ -96,7 +96,7 @@ class SnapshotBytesTest {
     }
 
     @Test
-    void aModelWithoutTheStatesIsTold() {
+    void aModelWithoutTheStatesIsReported() {
         byte[] bytes = SnapshotBytes.write(SnapshotTextTest.eventful());
         assertThatThrownBy(() -> SnapshotBytes.read(Scene.bulb().rules(), bytes, 0))
                 .hasMessageContaining("the model 'original' has no state");

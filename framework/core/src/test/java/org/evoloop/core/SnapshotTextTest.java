@@ -26,14 +26,14 @@ import org.junit.jupiter.params.provider.CsvSource;
 class SnapshotTextTest {
     private static final Rules ROBOT = Scene.robot().rules();
 
-    /** A robot with much going on: a plan of two steps in doubt, a fact, a press and a function's event that wait. */
+    /** A busy robot: a plan of two steps in doubt, and a fact, a press and a function's event that wait. */
     static Snapshot eventful() {
-        ScriptedCore told = new ScriptedCore(Scene.robot());
-        told.press("Clean").begins().sent(false).press("Clean").begins().sent(false);
-        told.press("Clean").ready().planned();
-        told.press("Clean").begins().own("Clean").givenUp();
-        told.ready().planned();
-        told.observe(new Occurrence.Heard(
+        ScriptedCore core = new ScriptedCore(Scene.robot());
+        core.press("Clean").begins().sent(false).press("Clean").begins().sent(false);
+        core.press("Clean").ready().planned();
+        core.press("Clean").begins().own("Clean").givenUp();
+        core.ready().planned();
+        core.observe(new Occurrence.Heard(
                 new Event("Clean", List.of("hot", "50 % full")),
                 Values.of("temperature", 21.5)
                         .with("room", "\"Küche\"\\\n\ud83d\ude00")
@@ -43,25 +43,25 @@ class SnapshotTextTest {
                 Set.of("b", "a"),
                 Occurrence.ANY_VISIT,
                 77));
-        told.press("Spot").observe(new Occurrence.Asked(new Event("Spot"), Values.NONE, 3, 78));
-        return told.core.snapshot();
+        core.press("Spot").observe(new Occurrence.Asked(new Event("Spot"), Values.NONE, 3, 78));
+        return core.core.snapshot();
     }
 
-    /** A robot that is about to be sent the first of two steps. */
+    /** A robot about to be sent the first of two steps. */
     static Snapshot onADetour() {
-        ScriptedCore told = new ScriptedCore(Scene.robot());
-        told.press("Clean").begins().sent(false).press("Clean").begins().sent(false);
-        told.press("Clean").ready().planned();
-        return told.press("Clean").begins().core.snapshot();
+        ScriptedCore core = new ScriptedCore(Scene.robot());
+        core.press("Clean").begins().sent(false).press("Clean").begins().sent(false);
+        core.press("Clean").ready().planned();
+        return core.press("Clean").begins().core.snapshot();
     }
 
-    /** The same, whose second step has failed, and which is to be sent back. */
+    /** The same robot after its second step has failed, about to be sent back. */
     static Snapshot brokenOff() {
-        ScriptedCore told = new ScriptedCore(Scene.robot().onFailure(OnFailure.GO_BACK));
-        told.press("Clean").begins().sent(false).press("Clean").begins().sent(false);
-        told.press("Clean").ready().planned();
-        told.press("Clean").begins().sent(false);
-        return told.tell(new Input.Failed(told.number(), "the \"cable\" is loose", 99))
+        ScriptedCore core = new ScriptedCore(Scene.robot().onFailure(OnFailure.GO_BACK));
+        core.press("Clean").begins().sent(false).press("Clean").begins().sent(false);
+        core.press("Clean").ready().planned();
+        core.press("Clean").begins().sent(false);
+        return core.input(new Input.Failed(core.number(), "the \"cable\" is loose", 99))
                 .core
                 .snapshot();
     }
@@ -123,7 +123,7 @@ class SnapshotTextTest {
                 "end|end, or not|line 15: 'end' was expected",
                 "work none|work 0 0 sending \"\"|line 13: 'pending' was expected, not 'tally'"
             })
-    void whatIsWrongIsToldWithItsLine(String right, String wrong, String message) {
+    void mistakesAreReportedWithTheirLines(String right, String wrong, String message) {
         Core core = new Core(ROBOT, output -> {});
         core.opened(0);
         String text = SnapshotText.write(core.snapshot());
@@ -159,7 +159,7 @@ class SnapshotTextTest {
     }
 
     @Test
-    void aModelWithoutTheStatesIsTold() {
+    void aModelWithoutTheStatesIsReported() {
         String text = SnapshotText.write(eventful());
         assertThatThrownBy(() -> SnapshotText.read(Scene.bulb().rules(), text))
                 .hasMessageContaining("the model 'original' has no state");

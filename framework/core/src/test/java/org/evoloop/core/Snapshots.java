@@ -7,7 +7,7 @@ import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 import org.jspecify.annotations.Nullable;
 
-/** Snapshots with something else in one place. */
+/** Copies of snapshots with one change. */
 final class Snapshots {
     private Snapshots() {}
 
@@ -35,7 +35,7 @@ final class Snapshots {
         return made(of, of.at(), of.doubt(), of.visit(), of.waiting(), of.work(), tally);
     }
 
-    /** The step to be sent next, or on its way; null if there is none left. */
+    /** The step to be sent next, or being sent; null if none is left. */
     static @Nullable Step nextStep(Work work) {
         Decision decision = work.decision();
         return decision != null && work.taken() < decision.steps().size()
@@ -55,7 +55,7 @@ final class Snapshots {
                 List.of());
     }
 
-    /** What waits is all of this visit. */
+    /** The copy in which everything that waits belongs to this visit. */
     static Snapshot allOf(Snapshot of, long visit) {
         return waiting(
                 of, of.waiting().stream().map(pending -> of(pending, visit)).toList());

@@ -14,8 +14,8 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Ways through exploration's world, which {@code ./evoloop study --check} has the specification in {@code prism/proof}
- * go, too. Where the core was changed on purpose, take what the failure prints into the file, and see to the
+ * Paths through exploration's world, along which {@code ./evoloop study --check} also runs the specification in {@code
+ * prism/proof}. If the core was changed on purpose, copy the failure's output into the file, and adapt the
  * specification.
  */
 class StoriesTest {

@@ -9,7 +9,7 @@ import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 
-/** A way through exploration's world that chance has chosen, in the words of a {@link Trail}. */
+/** A random path through exploration's world, in the words of a {@link Trail}. */
 final class Story {
     private final StringBuilder lines = new StringBuilder("anew\n");
     private final Random random;
@@ -25,11 +25,11 @@ final class Story {
 
     static String of(Scene scene, long seed, int most) {
         Story story = new Story(scene, seed);
-        for (int time = 1; time <= most && story.goesOn(time); time++) {}
+        for (int time = 1; time <= most && story.continues(time); time++) {}
         return story.lines.toString();
     }
 
-    private boolean goesOn(long time) {
+    private boolean continues(long time) {
         List<Move> moves = Moves.of(now, world, time).stream()
                 .sorted(Comparator.comparing(Move::what))
                 .toList();
@@ -40,7 +40,7 @@ final class Story {
         Input input = move.input();
         if (input != null) {
             lines.append(words(input)).append('\n');
-            Wiring.Result result = Wiring.REAL.tell(world.rules(), now, input);
+            Wiring.Result result = Wiring.REAL.apply(world.rules(), now, input);
             now = result.after();
             move.world().heard(input, result.said(), now);
             lines.append(Trail.state(now)).append('\n');

@@ -10,7 +10,7 @@ import org.evoloop.core.Scene.Act;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Whatever happens in whatever order, what was observed is the sum of what became of it. */
+/** Whatever happens in whatever order, the number of observed events is the sum of the outcomes' counts. */
 class SumTest {
     private static final int STORIES = 500;
     private static final int LENGTH = 60;

@@ -3,7 +3,7 @@ package org.evoloop.core;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 
-/** Something that has happened at the device and was not told yet. */
+/** Something that has happened at the device and is not yet reported. */
 sealed interface Token {
     /** The device did this by itself. */
     record Own(Event event) implements Token {}

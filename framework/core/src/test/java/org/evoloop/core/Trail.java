@@ -12,7 +12,7 @@ import org.evoloop.statemachine.State;
 
 /**
  * A story of the specification in {@code prism/proof}, as {@code ./evoloop study --proof} writes it: inputs in words,
- * each followed by a line that begins with {@code =} and says what the core knows then.
+ * each followed by a line that begins with {@code =} and states what the core then knows.
  */
 final class Trail {
     private final Scene scene;
@@ -28,13 +28,13 @@ final class Trail {
         this.now = new Core(scene.rules(), output -> {}).snapshot();
     }
 
-    /** Tells it all; empty if the core goes the same way to its end, else where it parts from it. */
+    /** Gives the core all inputs; empty if it agrees with the story to its end, else where it first differs. */
     static String follow(Scene scene, Wiring wiring, List<String> lines) {
         Trail trail = new Trail(scene, wiring);
         for (int index = 0; index < lines.size(); index++) {
             String line = lines.get(index);
             if (!line.startsWith("=")) {
-                trail.tell(line.split(" "));
+                trail.apply(line.split(" "));
             } else if (!line.equals(trail.state())) {
                 return "after " + lines.get(index - 1) + ": " + trail.state() + " instead of " + line;
             }
@@ -50,7 +50,7 @@ final class Trail {
         return state(now);
     }
 
-    /** In words, what the specification has of it, too. */
+    /** In words, the part of the state that the specification also has. */
     static String state(Snapshot now) {
         Work work = now.work();
         String doing = work == null
@@ -71,7 +71,7 @@ final class Trail {
                 now.visit().deadlines().isEmpty() ? "-" : "timer");
     }
 
-    private void tell(String[] words) {
+    private void apply(String[] words) {
         Input input = input(words);
         Rules counted = rules();
         if (input instanceof Input.Evolved
@@ -81,7 +81,7 @@ final class Trail {
             swapped = !swapped;
         }
         boolean wasIdle = now.work() == null;
-        now = wiring.tell(counted, now, input).after();
+        now = wiring.apply(counted, now, input).after();
         time++;
         Work work = now.work();
         if (work == null || work.decision() != null || wasIdle) {
@@ -136,7 +136,7 @@ final class Trail {
         return new Input.TimerDue(now.visit().number(), event, due);
     }
 
-    /** What analyze may have decided since the occurrence began, where things stood like this. */
+    /** A decision that analyze may have made since the occurrence began, in these states. */
     private Decision plan(String device, String system) {
         Work work = now.work();
         if (work != null && work.decision() != null) {

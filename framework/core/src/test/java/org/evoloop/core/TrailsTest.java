@@ -12,8 +12,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * What Spin found where a mechanism was taken out of the specification: the core goes the same way without that
- * mechanism, and another one with it.
+ * Violations that Spin found with a mechanism removed from the specification: the core follows the same path without
+ * that mechanism, and a different one with it.
  */
 class TrailsTest {
     private static final Path TRAILS = Path.of(System.getProperty("evoloop.root"), "prism", "results", "proof");

@@ -3,10 +3,10 @@ package org.evoloop.core;
 import java.util.ArrayList;
 import java.util.List;
 
-/** How a core is told something: itself, or with one of its mechanisms taken out. */
+/** How a core receives an input: as it is, or with one of its mechanisms removed. */
 @FunctionalInterface
 interface Wiring {
-    /** What the core said, and what it knew then. */
+    /** The core's outputs, and its snapshot afterwards. */
     record Result(List<Output> said, Snapshot after) {}
 
     /** The core as it is. */
@@ -17,5 +17,5 @@ interface Wiring {
         return new Result(said, core.snapshot());
     };
 
-    Result tell(Rules rules, Snapshot before, Input input);
+    Result apply(Rules rules, Snapshot before, Input input);
 }

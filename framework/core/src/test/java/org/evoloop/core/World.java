@@ -13,42 +13,42 @@ import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is around a core: the device as it truly is, what is on its way, and what the components have been told to do.
+ * The surroundings of a core: the device's true state, what is being sent, and what the components were asked to do.
  */
 final class World {
-    /** Whether the converter takes controllers' events. */
+    /** Whether the converter accepts controllers' events. */
     enum Phase {
         CLOSED,
         OPEN,
         CLOSING
     }
 
-    /** A step on its way to the device. */
+    /** A step being sent to the device. */
     record Flight(long number, Step step) {}
 
     final Scene scene;
     State device;
     /** In the order in which it happened. */
-    List<Token> untold = new ArrayList<>();
+    List<Token> unreported = new ArrayList<>();
 
     /** What is being sent; null if nothing is. */
     @Nullable
     Flight flight;
-    /** Whether that has had its effect. */
+    /** Whether that has taken effect. */
     boolean landed;
-    /** A step that was given up and may still have its effect, but not after the device has told where it is. */
+    /** A step that was given up and may still take effect, but not after the device has reported its state. */
     @Nullable
     Flight stray;
     /** What the components have to do for the occurrence in progress. */
     Output.@Nullable Directive asked;
-    /** Where the device said that it is. */
+    /** The state that the device reported. */
     @Nullable
     State answer;
-    /** What analyze may have decided since the occurrence began, on what it saw then. */
+    /** What analyze may have decided since the occurrence began, on the states that it saw. */
     Set<Decision> plans = new LinkedHashSet<>();
 
     Phase phase = Phase.CLOSED;
-    /** Whether it goes by the scene's next rules. */
+    /** Whether the scene's next rules apply. */
     boolean evolved;
 
     Map<Scene.Act, Integer> left;
@@ -63,7 +63,7 @@ final class World {
     private World(World same) {
         scene = same.scene;
         device = same.device;
-        untold = new ArrayList<>(same.untold);
+        unreported = new ArrayList<>(same.unreported);
         flight = same.flight;
         landed = same.landed;
         stray = same.stray;
@@ -79,7 +79,7 @@ final class World {
         return new World(this);
     }
 
-    /** By what the core goes now. */
+    /** The rules that apply now. */
     Rules rules() {
         return evolved ? scene.next() : scene.rules();
     }
@@ -105,13 +105,14 @@ final class World {
     }
 
     /**
-     * Whether a step may have its effect without being told: what was found before that has been told, so it is older.
+     * Whether a step may take effect unreported. Not while a finding is unreported: a finding made before the effect
+     * would then be reported after it.
      */
     boolean mayHideEffects() {
-        return untold.stream().noneMatch(token -> token instanceof Token.Seen);
+        return unreported.stream().noneMatch(token -> token instanceof Token.Seen);
     }
 
-    /** Goes on after the core was told something. */
+    /** Continues after the core has received an input. */
     void heard(Input input, List<Output> said, Snapshot after) {
         Work work = after.work();
         if (input instanceof Input.Sending && (work == null || !work.sending())) {

@@ -16,7 +16,7 @@ class DecisionCellsTest {
     void shouldKeepApartCellsWhosePlacesDifferByMoreThanAnInt() {
         int width = 1 << 20;
         DecisionCells cells = new DecisionCells(width);
-        // 4,096 rows of a million make 2^32 cells.
+        // 4,096 rows of a million cells are 2^32 cells.
         int[] situations = {0, 1, 2_047, 2_048, 4_095, 4_096, 8_192, 1_000_000};
         int[] events = {0, 1, width - 1};
         for (int situation : situations) {

@@ -147,7 +147,7 @@ class DecisionTableTest {
     @Test
     void exploresEveryConfigurationOfThePapersPairs() {
         assertThat(robot.problems()).isEmpty();
-        // Its SPOT button pressed in SpotWait, before the converter has taken control: it cannot be told to stop.
+        // Its SPOT button is pressed in SpotWait, before the converter has taken control: no event can stop it.
         assertThat(robot.hazards()).extracting(Decision::before).containsExactly(at("Spot", "SpotWait"));
         assertThat(robot.configurations())
                 .contains(at("Off", "Off"), at("On", "SpotWait"), at("Clean", "SpotWait"), at("Spot", "Move"));

@@ -92,7 +92,7 @@ class PathPlannerTest {
     }
 
     @Test
-    void goesOnWithASearchThatWasStoppedAtANearerTarget() {
+    void continuesASearchThatWasStoppedAtANearerTarget() {
         PathPlanner planner = new PathPlanner(robot, device);
         assertThat(planner.shortestPath(new State("On"), List.of(new State("Clean")))
                         .orElseThrow())

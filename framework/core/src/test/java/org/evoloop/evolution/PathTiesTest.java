@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Which of the cheapest ways is taken: compared with every way that there is, in small machines drawn at random. */
+/** Which of the cheapest paths is taken, compared with all paths in small random machines. */
 class PathTiesTest {
     private static final int STATES = 7;
     private static final List<String> EVENTS = List.of("a", "b", "c", "d");
@@ -90,7 +90,7 @@ class PathTiesTest {
         return builder.build();
     }
 
-    /** Every way that comes to no state twice. */
+    /** Every path that visits no state twice. */
     private static List<List<Transition>> ways(StateMachine machine, State from, State to) {
         List<List<Transition>> found = new ArrayList<>();
         walk(machine, from, to, new ArrayList<>(), new HashSet<>(), found);

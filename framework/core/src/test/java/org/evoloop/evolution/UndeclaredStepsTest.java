@@ -11,7 +11,7 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 import org.junit.jupiter.api.Test;
 
-/** What it means that the device acts by itself although nobody has said that it does. */
+/** How acts of the device are treated that are not declared as its own. */
 class UndeclaredStepsTest {
 
     @Test
@@ -31,7 +31,7 @@ class UndeclaredStepsTest {
     }
 
     @Test
-    void anEventUnderAGuardThatNobodyHasThereMovesNothing() {
+    void anEventUnderAGuardThatNoTransitionThereHasMovesNothing() {
         Event guarded = new Event("toggle", List.of("hot"));
         StateMachine original = StateMachine.named("o")
                 .initial("Off")

@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A function that is a loop of its own: it counts down and finishes at zero. */
+/** A function with its own control loop: it counts down and finishes at zero. */
 @Timeout(60)
 class ControlLoopFunctionTest {
     private final BlockingQueue<Integer> counts = new LinkedBlockingQueue<>();
@@ -93,7 +93,9 @@ class ControlLoopFunctionTest {
         assertThat(Thread.getAllStackTraces().keySet())
                 .extracting(Thread::getName)
                 .noneMatch(name -> name.startsWith("mapek-Move-"));
-        assertThat(log.failures).as("what its loop outlives is its own").isEmpty();
+        assertThat(log.failures)
+                .as("failures that its loop survives are not reported")
+                .isEmpty();
     }
 
     @Test

@@ -54,12 +54,12 @@ class ExchangeTest {
     void letsTheOccurrenceInTheLoopComeToItsEndFirst() throws InterruptedException {
         try (Relay relay = Relay.running(threading)) {
             CountDownLatch working = new CountDownLatch(1);
-            CountDownLatch goOn = new CountDownLatch(1);
+            CountDownLatch proceed = new CountDownLatch(1);
             relay.loop.addExecute(new Execute<>("slow") {
                 @Override
                 protected void execute(String plan) throws InterruptedException {
                     working.countDown();
-                    goOn.await();
+                    proceed.await();
                     relay.output.add("slow:" + plan);
                 }
             });
@@ -71,7 +71,7 @@ class ExchangeTest {
             while (admin.getState() != Thread.State.TIMED_WAITING) {
                 Thread.onSpinWait();
             }
-            goOn.countDown();
+            proceed.countDown();
             admin.join();
 
             assertThat(take(relay.output)).isEqualTo("hand:first");
@@ -110,7 +110,7 @@ class ExchangeTest {
             relay.input.add("next");
             assertThat(take(relay.output)).isEqualTo("healthy:next");
 
-            // When it returns at last, nobody listens.
+            // When it finally returns, its result is ignored.
             deaf.release.countDown();
             assertThat(take(relay.output)).isEqualTo("deaf:too late");
             relay.input.add("and on");
@@ -137,7 +137,7 @@ class ExchangeTest {
             assertThat(take(relay.failures).toString()).isEqualTo("deaf.execute: has not returned for 3000 ms");
             assertThat(relay.status("deaf").activity()).isEqualTo(Activity.STUCK);
 
-            // What comes while it is stuck fails at once, with a way out.
+            // What arrives while it is stuck fails at once, and the message says how to recover.
             relay.input.add("next");
             assertThat(take(relay.failures).toString())
                     .contains("is stuck in its thread")
@@ -154,7 +154,7 @@ class ExchangeTest {
     }
 
     @Test
-    void replacesAMonitorThatWaitsAndLosesNothingItHasTold() throws InterruptedException {
+    void replacesAMonitorThatWaitsAndLosesNothingItHasReported() throws InterruptedException {
         try (Relay relay = Relay.running(threading)) {
             CountDownLatch asked = new CountDownLatch(1);
             relay.loop.addMonitor(new Monitor<>("dreamer") {

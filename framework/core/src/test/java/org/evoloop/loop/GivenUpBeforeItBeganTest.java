@@ -7,7 +7,9 @@ import java.util.List;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
 
-/** Work that was given up while it still waited for its thread is not begun any more. The test plays the threads. */
+/**
+ * Work that was given up while it still waited for its thread is never begun. The test plays the role of the threads.
+ */
 @InEachThreading
 class GivenUpBeforeItBeganTest {
     private final List<Object> begun = new ArrayList<>();

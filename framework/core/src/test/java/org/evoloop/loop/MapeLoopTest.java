@@ -60,7 +60,7 @@ class MapeLoopTest {
     }
 
     @Test
-    void outlivesWhateverItsComponentsThrow() throws InterruptedException {
+    void survivesEverythingThatItsComponentsThrow() throws InterruptedException {
         Relay relay = new Relay(LoopConfig.defaults("relay", new ManualClock()).withThreading(threading));
         try (relay) {
             relay.loop.build();
@@ -102,7 +102,7 @@ class MapeLoopTest {
             assertThat(take(relay.output)).isEqualTo("hand:better");
             relay.input.add("deaf");
             take(relay.failures);
-            // Since there was work the watch over it is pending too.
+            // Since there was work, the watch over it is pending, too.
             while (clock.pendingTasks() == 1) {
                 Thread.onSpinWait();
             }
@@ -146,7 +146,7 @@ class MapeLoopTest {
     }
 
     @Test
-    void lossesOfAFullQueueAreToldOnceABurst() throws InterruptedException {
+    void lossesOfAFullQueueAreReportedOnceABurst() throws InterruptedException {
         Relay relay = new Relay(LoopConfig.defaults("relay", new ManualClock())
                 .withThreading(threading)
                 .withQueueCapacity(2));
@@ -169,7 +169,7 @@ class MapeLoopTest {
     }
 
     @Test
-    void hasWhoeverMustNotLoseAnythingWaitForRoom() throws InterruptedException {
+    void aPutThatMustNotLoseAnythingWaitsForRoom() throws InterruptedException {
         Relay relay = new Relay(LoopConfig.defaults("relay", new ManualClock())
                 .withThreading(threading)
                 .withQueueCapacity(1));
@@ -264,7 +264,7 @@ class MapeLoopTest {
     }
 
     @Test
-    void restoresTheInterruptOfWhoeverClosesIt() {
+    void restoresTheInterruptOfTheClosingThread() {
         Relay relay = Relay.running(threading);
         Thread.currentThread().interrupt();
 

@@ -8,7 +8,7 @@ import java.util.concurrent.TimeUnit;
 import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 
-/** A loop with threads that hands strings through, and whose parts can be made to throw and to hang. */
+/** A loop with threads that passes strings on, and whose components can be made to throw and to hang. */
 final class Relay implements AutoCloseable {
     static final int PATIENCE_SECONDS = 20;
 
@@ -85,7 +85,7 @@ final class Relay implements AutoCloseable {
         }
     }
 
-    /** Says what it is given; "hang" waits to be interrupted, "deadlock" for {@link #release} only. */
+    /** Outputs its input; "hang" waits to be interrupted, "deadlock" for {@link #release} only. */
     final class Hand extends Execute<String> {
         final CountDownLatch hanging = new CountDownLatch(1);
         final CountDownLatch release = new CountDownLatch(1);

@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A component that does not return concerns nobody but what comes to it. */
+/** A component that does not return affects only the work that needs it. */
 @InEachThreading
 @Timeout(60)
 class StuckComponentsTest {

@@ -46,7 +46,7 @@ class MappingTest {
     }
 
     @Test
-    void allThatIsWrongIsToldWithItsLine() {
+    void allMistakesAreReportedWithTheirLines() {
         assertThatThrownBy(() -> parse(
                         "state Dimm -> Soft",
                         "state Dim -> Softly",

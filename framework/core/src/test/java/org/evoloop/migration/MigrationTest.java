@@ -19,7 +19,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.junit.jupiter.api.Test;
 
-/** What becomes of the states of a music player when its owner draws another evolution. */
+/** What happens to the states of a music player when another evolution is drawn. */
 class MigrationTest {
     private static final StateMachine DEVICE = machine(
             "device",
@@ -137,7 +137,7 @@ class MigrationTest {
     }
 
     @Test
-    void timersAndFunctionsGoOnEndOrBegin() {
+    void timersAndFunctionsContinueEndOrBegin() {
         StateMachine next = evolved(
                 "next",
                 "Playing mute -> Muting",
@@ -244,7 +244,7 @@ class MigrationTest {
         assertThat(stuck).isPositive();
     }
 
-    /** The steps lead there from one to the next, and the next models can stand where they end. */
+    /** The steps lead there one after another, and the next models can be in the states where they end. */
     private static void assertStands(DecisionTable next, Fate.Maps maps) {
         State at = maps.steps().isEmpty()
                 ? maps.to().original()

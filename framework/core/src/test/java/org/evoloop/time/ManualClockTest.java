@@ -41,7 +41,7 @@ class ManualClockTest {
     }
 
     @Test
-    void tellsHowLongItIsUntilTheNextTask() {
+    void reportsTheTimeUntilTheNextTask() {
         assertThat(clock.untilNext()).isEmpty();
         at(20, "late");
         at(10, "soon");

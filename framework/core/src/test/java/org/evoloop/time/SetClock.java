@@ -3,7 +3,7 @@ package org.evoloop.time;
 import java.time.Duration;
 import java.time.Instant;
 
-/** A clock that stands still, whose time of day can be set, as by a person or over the network. */
+/** A clock that stands still; its time of day can be set, as by a person or over the network. */
 public final class SetClock implements Clock {
     private final ManualClock time = new ManualClock();
     private Duration offset = Duration.ZERO;

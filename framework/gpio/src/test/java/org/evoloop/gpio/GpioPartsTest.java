@@ -27,7 +27,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A button and a relay on Pi4J's mocked pins, and a converter between. */
+/** A button and a relay on Pi4J's mocked pins, with a converter between them. */
 class GpioPartsTest {
     private static final Duration PATIENCE = Duration.ofSeconds(20);
     private static final Duration PRESS = Duration.ofMillis(200);
@@ -93,7 +93,7 @@ class GpioPartsTest {
         clock.advance(GpioMonitor.SETTLED);
     }
 
-    /** As contacts do, and then stands. */
+    /** Bounces like a real contact before it settles. */
     private void bounce(int pin, boolean closed) {
         for (int i = 0; i < 5; i++) {
             contact(pin, closed);

@@ -83,8 +83,8 @@ public class HttpMonitor extends PushMonitor implements AutoCloseable {
         return on(request, values -> push(foundIn(state)));
     }
 
-    private HttpMonitor on(String request, Consumer<Values> told) {
-        if (!request.matches("[A-Z]+ /\\S*") || requests.putIfAbsent(request, told) != null) {
+    private HttpMonitor on(String request, Consumer<Values> handler) {
+        if (!request.matches("[A-Z]+ /\\S*") || requests.putIfAbsent(request, handler) != null) {
             throw new IllegalArgumentException("'" + request + "' is "
                     + (requests.containsKey(request)
                             ? "there already"

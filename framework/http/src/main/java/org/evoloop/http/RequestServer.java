@@ -123,13 +123,13 @@ final class RequestServer implements AutoCloseable {
 
     private void letIn(HttpExchange exchange) throws IOException {
         String path = exchange.getRequestURI().getPath();
-        Consumer<Values> told = requests.get(exchange.getRequestMethod() + " " + path);
+        Consumer<Values> handler = requests.get(exchange.getRequestMethod() + " " + path);
         if (door.isFromAPage(exchange.getRequestHeaders())) {
             answer(exchange, TURNED_AWAY, "requests of web pages are refused");
         } else if (!door.knowsToken(exchange.getRequestHeaders())) {
             exchange.getResponseHeaders().set("WWW-Authenticate", "Bearer");
             answer(exchange, NO_TOKEN, "a token is needed, as Authorization: Bearer TOKEN");
-        } else if (told == null) {
+        } else if (handler == null) {
             answer(
                     exchange,
                     NOT_FOUND,
@@ -137,7 +137,7 @@ final class RequestServer implements AutoCloseable {
                             + String.join(
                                     ", ", requests.keySet().stream().sorted().toList()));
         } else {
-            told.accept(RequestValues.of(exchange));
+            handler.accept(RequestValues.of(exchange));
             exchange.sendResponseHeaders(NO_CONTENT, -1);
         }
     }

@@ -8,7 +8,7 @@ import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
 import java.net.Socket;
 
-/** Server and client know nothing of each other, and each is in one place. */
+/** Server and client do not depend on each other, and each is in one class. */
 @AnalyzeClasses(packages = "org.evoloop.http", importOptions = ImportOption.DoNotIncludeTests.class)
 class ArchitectureTest {
     @ArchTest

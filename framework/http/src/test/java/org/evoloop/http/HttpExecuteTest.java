@@ -23,7 +23,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A device behind a real socket that obeys, refuses, hangs, hangs up, or answers without an end. */
+/** A device behind a real socket that obeys, refuses, hangs, hangs up, or sends an endless answer. */
 @Timeout(120)
 class HttpExecuteTest {
     private static final String HANG_UP = "";
@@ -73,7 +73,7 @@ class HttpExecuteTest {
                 }
             }
         } catch (IOException gone) {
-            // So is the client.
+            // The client has closed the connection.
         }
     }
 
@@ -203,7 +203,7 @@ class HttpExecuteTest {
     }
 
     @Test
-    void anAnswerThatIsCutShortOrNoHttpIsNone() {
+    void aTruncatedOrNonHttpAnswerIsNotAnAnswer() {
         for (String nonsense : List.of(
                 "SSH-2.0\r\n",
                 "",

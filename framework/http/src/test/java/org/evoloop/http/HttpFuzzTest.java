@@ -16,12 +16,14 @@ import org.evoloop.RecordingExecute;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Whatever a controller asks, it is answered or hung up on; whatever a device answers is understood or refused. */
+/**
+ * Any request of a controller is answered or its connection closed; any answer of a device is understood or refused.
+ */
 @Timeout(30)
 class HttpFuzzTest {
     private static final int MOST_TRIES = 10_000;
 
-    /** One for all: what one request leaves behind, the next would find. */
+    /** Shared by all inputs, so that anything that one request leaves behind affects the next. */
     private static final class Asked {
         private static final HttpMonitor MONITOR = monitor();
 
@@ -47,14 +49,14 @@ class HttpFuzzTest {
 
     @MethodSource("requests")
     @FuzzTest
-    void aRequestOfAnyBytesHoldsUpNobody(byte[] bytes) {
+    void aRequestOfAnyBytesDelaysNoOther(byte[] bytes) {
         try {
             answerTo(bytes);
         } catch (IOException hungUp) {
-            // That is its right.
+            // The server may close the connection.
         }
         String answer = "";
-        // It hangs up at once while it has no room, until it has noticed that others are gone.
+        // While it has too many connections it closes new ones at once, until it has noticed that others are gone.
         for (int tries = 0; answer.isEmpty() && tries < MOST_TRIES; tries++) {
             try {
                 answer = answerTo(text("POST /is-off HTTP/1.0\r\n\r\n"));
@@ -68,7 +70,7 @@ class HttpFuzzTest {
     private static String answerTo(byte[] request) throws IOException {
         try (SilentCloseable ours = BugDetectors.allowNetworkConnections();
                 Socket socket = new Socket(InetAddress.getLoopbackAddress(), Asked.MONITOR.port())) {
-            // Else its port could not be used again for a minute.
+            // Otherwise its port could not be reused for a minute.
             socket.setSoLinger(true, 0);
             socket.getOutputStream().write(request);
             socket.shutdownOutput();

@@ -33,7 +33,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.slf4j.LoggerFactory;
 
-/** Requests of a real client, and of some that behave badly. */
+/** Requests of a real client, and of misbehaving ones. */
 @Timeout(120)
 class HttpMonitorTest {
     private static final String TOKEN = "0123456789abcdef";
@@ -96,30 +96,30 @@ class HttpMonitorTest {
             socket.shutdownOutput();
             socket.getInputStream().readAllBytes();
         } catch (SocketException hungUp) {
-            // That is its right.
+            // The server may close the connection.
         }
     }
 
     @Test
-    void aMalformedRequestIsToldOnceWithoutATrace() throws Exception {
+    void aMalformedRequestIsLoggedOnceWithoutATrace() throws Exception {
         Logger log = (Logger) LoggerFactory.getLogger(HttpMonitor.class);
-        ListAppender<ILoggingEvent> told = new ListAppender<>();
-        told.start();
+        ListAppender<ILoggingEvent> logged = new ListAppender<>();
+        logged.start();
         log.setLevel(Level.DEBUG);
-        log.addAppender(told);
+        log.addAppender(logged);
         try {
             for (String chunk : List.of("FFFFFFFF\r\n", "zz\r\n\r\n", "2\r\nokay\r\n", "-5\r\n")) {
                 sendChunk(chunk);
             }
             assertThat(status(to("/switch").POST(body("")))).isEqualTo(204);
         } finally {
-            log.detachAppender(told);
+            log.detachAppender(logged);
             log.setLevel(null);
         }
-        assertThat(told.list)
+        assertThat(logged.list)
                 .filteredOn(event -> event.getLevel() != Level.DEBUG && event.getThrowableProxy() != null)
                 .isEmpty();
-        assertThat(told.list)
+        assertThat(logged.list)
                 .filteredOn(event -> event.getLevel() == Level.WARN)
                 .extracting(ILoggingEvent::getFormattedMessage)
                 .singleElement()
@@ -143,7 +143,7 @@ class HttpMonitorTest {
     }
 
     @Test
-    void aBadRequestIsToldWhatIsWrong() throws Exception {
+    void aBadRequestIsAnsweredWithItsError() throws Exception {
         assertThat(answer(to("/nonsense")))
                 .isEqualTo("404 known are: GET /switch, POST /by-hand, POST /is-off, POST /switch");
         assertThat(status(to("/switch").DELETE())).isEqualTo(404);
@@ -193,7 +193,7 @@ class HttpMonitorTest {
     }
 
     @Test
-    void requestsThatNeverEndAreHungUpOnAndKeepNobodyOut() throws Exception {
+    void endlessRequestsAreClosedAndDoNotBlockOthers() throws Exception {
         List<Socket> slow = new ArrayList<>();
         for (int i = 0; i < 40; i++) {
             Socket socket = new Socket(InetAddress.getLoopbackAddress(), monitor.port());
@@ -216,7 +216,7 @@ class HttpMonitorTest {
         assertThat(status(to("/switch").POST(body("")))).isEqualTo(204);
     }
 
-    /** It is hung up on, in whatever way; it would throw after a minute. */
+    /** The connection is closed, in whatever way; reading would throw after a minute. */
     private static void requireHungUp(InputStream answer) throws IOException {
         try {
             assertThat(answer.read()).isNegative();

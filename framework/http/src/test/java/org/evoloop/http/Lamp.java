@@ -11,7 +11,7 @@ import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.SystemClock;
 
-/** The light bulb's converter with a monitor and an execute of the test. */
+/** The light bulb's converter with the test's own monitor and execute component. */
 final class Lamp implements AutoCloseable {
     static final Duration PATIENCE = Duration.ofSeconds(20);
 

@@ -95,9 +95,9 @@ public final class DryRun {
         return new Result(run.events, run.differences, run.properties.broken(), run.properties.open());
     }
 
-    private void add(SegmentHistory told) {
-        goOn(told);
-        for (SegmentHistory.Moment moment : told.moments()) {
+    private void add(SegmentHistory segment) {
+        proceed(segment);
+        for (SegmentHistory.Moment moment : segment.moments()) {
             if (moment.input() instanceof Input.Observed observed) {
                 boolean current = observed.occurrence().visit() == moment.visit();
                 comparison.observed(observed.occurrence(), current ? moment.state() : null, moment.atNanos());
@@ -110,20 +110,20 @@ public final class DryRun {
     }
 
     /** Continues where the previous segment ended; on another clock, as after a restart. */
-    private void goOn(SegmentHistory told) {
+    private void proceed(SegmentHistory segment) {
         Head before = last;
-        Head head = told.head();
+        Head head = segment.head();
         if (before != null && Math.abs(offset(head) - offset(before)) < SAME_CLOCK_NANOS) {
             last = head;
             return;
         }
         comparison.rest(lastNanos);
         last = head;
-        Configuration at = before == null ? rules.placed(told.from().at()) : comparison.at();
+        Configuration at = before == null ? rules.placed(segment.from().at()) : comparison.at();
         Rules like = rules.like(head);
         properties.begin(like.table(), at, head);
         comparison.begin(like, Comparison.still(at, head.nowNanos()));
-        if (told.from().open()) {
+        if (segment.from().open()) {
             comparison.follow(new Input.Opened(head.nowNanos()), head.nowNanos());
         }
     }

@@ -167,12 +167,12 @@ public final class Journal implements ConverterJournal {
 
     /** @throws JournalException if it is damaged, or cannot be read */
     @Override
-    public void retell(Rules rules, Past past) {
+    public void replay(Rules rules, Past past) {
         Replay replay = new Replay(rules, Fingerprint.of(rules.table().models()), past);
         for (Path segment : Directory.segments(path)) {
             // A segment that was deleted meanwhile was too old to be kept.
             if (SegmentReader.writtenBytes(segment) > 0) {
-                replay.tell(segment);
+                replay.apply(segment);
             }
         }
     }

@@ -41,8 +41,8 @@ final class Replay {
     }
 
     /** Only replays; repairs nothing, and is not continued from. */
-    void tell(Path file) {
-        tell(file, new SegmentReader(file));
+    void apply(Path file) {
+        apply(file, new SegmentReader(file));
     }
 
     private void of(Path file, boolean newest) {
@@ -52,7 +52,7 @@ final class Replay {
             Fingerprint.requireSame(
                     file, segment.head(), fingerprint, present.table().models());
         }
-        Core core = tell(file, segment);
+        Core core = apply(file, segment);
         if (segment.isTorn()) {
             LOG.warn(
                     "{} ends in the middle of record {}, at byte {}: it was being written when its process ended, and "
@@ -68,7 +68,7 @@ final class Replay {
         lastHead = segment.head();
     }
 
-    private Core tell(Path file, SegmentReader segment) {
+    private Core apply(Path file, SegmentReader segment) {
         Head head = segment.head();
         Rules rules = head.rules(present, fingerprint);
         Core core = new Core(rules, snapshot(file, segment, rules), past);

@@ -39,7 +39,7 @@ record SegmentHistory(Head head, Snapshot from, List<Moment> moments) {
         while (segment.next()) {
             long visit = chronicle.visit();
             State state = core.at().evolved();
-            Input input = inputs.tell();
+            Input input = inputs.apply();
             moments.add(new Moment(input, core.nowNanos(), visit, state, List.copyOf(endings)));
             endings.clear();
         }

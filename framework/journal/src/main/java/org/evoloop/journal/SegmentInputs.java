@@ -48,7 +48,7 @@ final class SegmentInputs {
      * Gives the record at which {@link SegmentReader#next} has arrived to the core. @throws JournalException if it is
      * damaged
      */
-    Input tell() {
+    Input apply() {
         try {
             Input input = decoder.read(segment.at(), segment.length());
             requireNonNull(core).apply(input);

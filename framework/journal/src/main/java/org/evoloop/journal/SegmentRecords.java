@@ -39,7 +39,7 @@ final class SegmentRecords {
     }
 
     private JournalRecord record() {
-        Input input = inputs.tell();
+        Input input = inputs.apply();
         List<String> ended = List.copyOf(endings);
         endings.clear();
         return new JournalRecord(

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A converter goes on where the process before it was killed. */
+/** A converter continues where the previous process was killed. */
 class ConverterRecoveryTest {
     private static final String ENDED = "the converter's process ended meanwhile";
 
@@ -45,7 +45,7 @@ class ConverterRecoveryTest {
 
         assertThat(robot.states()).isEqualTo("(On, On)");
         assertThat(robot.converter.status().queue().depth()).isEqualTo(2);
-        assertThat(robot.outcomes()).as("the history of the process before").containsExactly("Clean HANDLED");
+        assertThat(robot.outcomes()).as("the history of the previous process").containsExactly("Clean HANDLED");
         robot.converter.start();
         robot.settle();
         assertThat(robot.states()).isEqualTo("(Clean, SpotWait)");
@@ -84,10 +84,10 @@ class ConverterRecoveryTest {
                 .extracting(HistoryEntry::number)
                 .isEqualTo(LongStream.rangeClosed(1, all.size()).boxed().toList());
         assertThat(robot.converter.history(5))
-                .as("the same, whether it is remembered or read")
+                .as("the same from memory as from the journal")
                 .isEqualTo(all.subList(all.size() - 5, all.size()));
         assertThat(robot.converter.history(250)).isEqualTo(all.subList(all.size() - 250, all.size()));
-        assertThatThrownBy(() -> robot.converter.history(0)).hasMessageContaining("1 to 100000 events, not of 0");
+        assertThatThrownBy(() -> robot.converter.history(0)).hasMessageContaining("1 to 100000 events, not 0");
     }
 
     @Test
@@ -119,7 +119,7 @@ class ConverterRecoveryTest {
     }
 
     @Test
-    void aDeviceThatCannotTellIsTakenNotToHaveObeyed() throws Exception {
+    void aDeviceThatCannotReportIsAssumedNotToHaveObeyed() throws Exception {
         robot.meanwhile = robot::copy;
         robot.press("Clean");
         robot.settle();
@@ -133,7 +133,7 @@ class ConverterRecoveryTest {
     }
 
     @Test
-    void aPlanGoesOnAfterTheStepThatWasSentAndAnEffectIsNotRunTwice() throws Exception {
+    void aPlanContinuesAfterTheStepThatWasSentAndAnEffectIsNotRunTwice() throws Exception {
         robot.press("Clean");
         robot.settle();
         robot.meanwhile = () -> {
@@ -243,7 +243,9 @@ class ConverterRecoveryTest {
                 .isEqualTo("'direct', which took over from 'new' before the program was started");
         robot.converter.start();
         robot.settle();
-        assertThat(robot.states()).as("what waited when they took over").isEqualTo("(Spot, Spot)");
+        assertThat(robot.states())
+                .as("the event that waited during the evolution")
+                .isEqualTo("(Spot, Spot)");
         robot.copyAndRevive();
         assertThat(robot.converter.knowledge().models().evolved().name()).isEqualTo("direct");
         assertThat(robot.converter.history(100))
@@ -260,7 +262,7 @@ class ConverterRecoveryTest {
     }
 
     @Test
-    void modelsOfWhichNobodyCanMakeKnowledgeAreNamed() {
+    void modelsWithoutAKnowledgeFactoryAreNamed() {
         robot.evolve(Robot.withoutSpotWait());
         robot.copy();
         robot.evolving = false;
@@ -283,7 +285,7 @@ class ConverterRecoveryTest {
         robot.press("Spot");
         robot.settle();
         assertThat(robot.states())
-                .as("the journal of the models that stay is written")
+                .as("the journal of the models that remain is written")
                 .isEqualTo("(On, Move)");
         robot.copyAndRevive();
         assertThat(robot.states()).isEqualTo("(On, Move)");

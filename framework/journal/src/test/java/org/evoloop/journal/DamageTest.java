@@ -22,8 +22,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * A file that was cut off goes on from its last whole record; one that was changed is refused, or the change means
- * nothing.
+ * A truncated file continues from its last complete record; a changed one is refused, unless the change has no meaning.
  */
 class DamageTest {
     private static final List<Input> STORY = Story.of(Robot.RULES, new Random(3), 40);
@@ -40,12 +39,12 @@ class DamageTest {
     void write() throws Exception {
         journal = directory.resolve("journal");
         try (JournaledCore kept = JournaledCore.in(journal)) {
-            kept.tell(STORY.subList(0, STORY.size() - 1));
+            kept.input(STORY.subList(0, STORY.size() - 1));
             before = kept.core.snapshot();
-            kept.tell(STORY.subList(STORY.size() - 1, STORY.size()));
+            kept.input(STORY.subList(STORY.size() - 1, STORY.size()));
             last = kept.core.snapshot();
             clock = kept.clock;
-            // As the process leaves it that is killed.
+            // As a killed process leaves it.
             kept.copyTo(directory.resolve("killed"));
         }
     }
@@ -88,7 +87,7 @@ class DamageTest {
         assertThat(recovered(Arrays.copyOf(whole, endOfLastRecord()), file)).isEqualTo(last);
     }
 
-    /** The last input may have told a later time, to which the clock was advanced. */
+    /** The last input may carry a later time, to which the clock was advanced. */
     private Snapshot later(Snapshot recovered) {
         return recovered.later(-recovered.nowNanos());
     }
@@ -106,7 +105,7 @@ class DamageTest {
         changeBits(which, 1);
     }
 
-    /** Of the room that a killed process leaves for more, a little is enough. */
+    /** Of the unused space that a killed process leaves, a little is enough. */
     private void changeBits(String which, int step) throws Exception {
         byte[] left = Files.readAllBytes(segmentIn(directory.resolve(which)));
         byte[] whole = Arrays.copyOf(left, Math.min(left.length, endOfLastRecord() + 4096));
@@ -122,7 +121,7 @@ class DamageTest {
         }
     }
 
-    /** Elsewhere a kill could leave half of a header. */
+    /** If record headers were not aligned, a kill could leave half of one. */
     @Test
     void everyRecordBeginsWhereItsHeaderIsWrittenInOnePiece() {
         SegmentReader reader = new SegmentReader(segmentIn(journal));

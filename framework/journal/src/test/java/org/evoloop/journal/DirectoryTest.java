@@ -16,7 +16,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What becomes of a journal whose directory is not there for it alone, or not there at all. */
+/** A journal whose directory is shared, unusable or missing. */
 class DirectoryTest {
     @TempDir
     private Path directory;
@@ -44,7 +44,7 @@ class DirectoryTest {
                         "make it a directory that this user may write to, with room on its disk, or use another");
     }
 
-    /** Not even the superuser may write there. */
+    /** Not even the superuser can write there. */
     @Test
     @EnabledOnOs(OS.LINUX)
     void aReadOnlyDiskIsRefused() {
@@ -67,18 +67,18 @@ class DirectoryTest {
         Path path = directory.resolve("journal");
         Path away = directory.resolve("away");
         try (JournaledCore kept = new JournaledCore(path, Journal.in(path).withSegmentBytes(1 << 16))) {
-            kept.tell(List.of(new Input.Opened(1), press(2), new Input.Ready(), planned(kept, 3)));
+            kept.input(List.of(new Input.Opened(1), press(2), new Input.Ready(), planned(kept, 3)));
             Files.move(path, away);
             fill(kept);
 
             assertThat(kept.failures).singleElement().asString().contains("the journal " + path + " cannot be written");
-            assertThatThrownBy(() -> kept.tell(new Input.Sending(1)))
+            assertThatThrownBy(() -> kept.input(new Input.Sending(1)))
                     .isInstanceOf(JournalException.class)
                     .hasMessageEndingWith("cannot be written, so nothing is sent; make room on its disk");
             long refused = kept.core.tally().refused();
-            kept.tell(press(4));
+            kept.input(press(4));
             assertThat(kept.core.tally().refused()).isEqualTo(refused + 1);
-            kept.tell(new Input.Observed(
+            kept.input(new Input.Observed(
                     new Occurrence.Found(Robot.RULES.table().models().initial().original(), 5)));
             assertThat(kept.core.tally().observed())
                     .isEqualTo(kept.core.tally().dropped() + kept.core.tally().refused() + 1);
@@ -94,10 +94,10 @@ class DirectoryTest {
                 1, Robot.RULES.table().decide(Robot.MODELS.initial(), new Event("Clean"), false), atNanos);
     }
 
-    /** Until another segment is needed. */
+    /** Fills the segment until another one is needed. */
     private static void fill(JournaledCore kept) {
         while (kept.failures.isEmpty()) {
-            kept.tell(new Input.Dismissed(99, 3));
+            kept.input(new Input.Dismissed(99, 3));
         }
     }
 }

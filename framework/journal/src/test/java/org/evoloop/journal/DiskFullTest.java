@@ -11,7 +11,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** In a process that may not write files as large as a segment, there is not a journal, and nothing is left of one. */
+/** A process that may not write files as large as a segment gets no journal, and leaves no files behind. */
 @EnabledOnOs({OS.LINUX, OS.MAC})
 class DiskFullTest {
     @TempDir

@@ -27,7 +27,7 @@ import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Yesterday's events of a music player, told to the evolution that its owner has drawn today. */
+/** Yesterday's events of a music player, replayed with the models drawn today. */
 class DryRunTest {
     private static final StateMachine DEVICE = player("device").build();
     private static final ModelPair YESTERDAY = fading("tm(2s)", "Stopped");
@@ -47,7 +47,7 @@ class DryRunTest {
                 .transition("Paused", "play", "Playing");
     }
 
-    /** Fading ends after some time in a state. */
+    /** A pair whose Fading ends after this time. */
     private static ModelPair fading(String timer, String end) {
         return new ModelPair(
                 DEVICE,
@@ -70,7 +70,8 @@ class DryRunTest {
     }
 
     /**
-     * One process; it presses, {@code !} for the device's own buttons, and waits so many milliseconds after a number.
+     * Runs one process. A deed is a press, with {@code !} one of the device's own buttons, or a number of milliseconds
+     * to wait.
      */
     private void live(NewFunction function, String... deeds) throws InterruptedException {
         Buttons buttons = new Buttons();
@@ -110,7 +111,7 @@ class DryRunTest {
             }
             converter.observe(buttons);
             while (converter.step()) {
-                // All that waits.
+                // Processes everything that waits.
             }
         }
         converter.close();
@@ -121,7 +122,7 @@ class DryRunTest {
         return DryRun.of(new JournalFiles(directory), models, file.properties());
     }
 
-    private List<String> told(ModelPair models) {
+    private List<String> outcomes(ModelPair models) {
         return run(models).differences().stream()
                 .map(each -> each.occurrence().label() + " | " + each.recorded() + " | " + each.other())
                 .toList();
@@ -140,9 +141,9 @@ class DryRunTest {
     }
 
     @Test
-    void whatIsDecidedOtherwiseIsToldWithBothReasons() throws InterruptedException {
+    void differentDecisionsAreReportedWithBothReasons() throws InterruptedException {
         live(NewFunction.none(), "play", "fade", "2500", "stop");
-        assertThat(told(fading("tm(2s)", "Paused")))
+        assertThat(outcomes(fading("tm(2s)", "Paused")))
                 .containsExactly(
                         "tm(2s) | (Playing, Fading) -> (Stopped, Stopped), sends stop: existing-function"
                                 + " | (Playing, Fading) -> (Paused, Paused), sends pause: existing-function",
@@ -202,7 +203,7 @@ class DryRunTest {
             assertThat(broken.where()).hasToString("(Stopped, Stopped)");
         });
         assertThat(run(YESTERDAY, "Paused only after Playing", "next Playing").broken())
-                .as("over a restart")
+                .as("across a restart")
                 .isEmpty();
     }
 

@@ -19,7 +19,7 @@ import org.evoloop.statemachine.Transition;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What is to be seen of a journal by whoever does not keep it. */
+/** Reading a journal from outside the converter that writes it. */
 class JournalFilesTest {
     @TempDir
     private Path directory;
@@ -34,10 +34,10 @@ class JournalFilesTest {
     }
 
     @Test
-    void eachRecordTellsWhereTheCoreWasWhileTheJournalIsInUse() {
+    void eachRecordShowsWhereTheCoreWasWhileTheJournalIsInUse() {
         try (JournaledCore kept = JournaledCore.in(directory)) {
             for (Input input : Story.of(Robot.RULES, new Random(1), 80)) {
-                kept.tell(input);
+                kept.input(input);
                 List<String> where = read(new ArrayList<>());
                 assertThat(where.isEmpty() ? at(kept.core) : where.get(where.size() - 1))
                         .as("after %s", input)
@@ -50,7 +50,7 @@ class JournalFilesTest {
     void manySegmentsAreOneStory() {
         Journal small = Journal.in(directory).withSegmentBytes(1 << 16);
         try (JournaledCore kept = new JournaledCore(directory, small)) {
-            kept.tell(Story.of(Robot.RULES, new Random(2), 20_000));
+            kept.input(Story.of(Robot.RULES, new Random(2), 20_000));
             List<JournalRecord> records = new ArrayList<>();
             List<String> where = read(records);
             assertThat(where.get(where.size() - 1)).isEqualTo(at(kept.core));
@@ -60,14 +60,14 @@ class JournalFilesTest {
     }
 
     @Test
-    void damageIsToldFromWhatIsNoJournal() throws Exception {
+    void damageIsDistinguishedFromFilesThatAreNotJournals() throws Exception {
         assertThatThrownBy(() -> new JournalFiles(directory))
                 .hasMessageContaining("is not a journal")
                 .isInstanceOfSatisfying(
                         JournalException.class,
                         wrong -> assertThat(wrong.isDamage()).isFalse());
         try (JournaledCore kept = JournaledCore.in(directory)) {
-            kept.tell(Story.of(Robot.RULES, new Random(3), 20));
+            kept.input(Story.of(Robot.RULES, new Random(3), 20));
         }
         Path segment = Directory.segments(directory).get(0);
         byte[] bytes = Files.readAllBytes(segment);

@@ -18,7 +18,9 @@ import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Whatever the bytes of a segment, a converter goes on from it, or refuses it with a message that names the file. */
+/**
+ * Whatever the bytes of a segment are, a converter continues from it or refuses it with a message that names the file.
+ */
 @Timeout(30)
 class JournalFuzzTest {
     private static final byte[] WHOLE = segment();
@@ -40,7 +42,7 @@ class JournalFuzzTest {
             Path directory = Files.createTempDirectory("evoloop-fuzz");
             try (JournaledCore kept = JournaledCore.in(directory)) {
                 List<Input> story = Story.of(Robot.RULES, new Random(3), 40);
-                kept.tell(story);
+                kept.input(story);
             }
             Path only = Directory.segments(directory).get(0);
             byte[] bytes = Files.readAllBytes(only);
@@ -84,7 +86,7 @@ class JournalFuzzTest {
         }
     }
 
-    /** Records whose checksums are right, as a program wrote them that has an error, or a hostile one. */
+    /** Records with correct checksums, as a faulty or hostile program might write them. */
     @MethodSource("records")
     @FuzzTest
     void recordsOfAnyBytesAreGoneOnWithOrRefused(byte[] bytes) throws IOException {
@@ -110,7 +112,7 @@ class JournalFuzzTest {
         return List.of(WHOLE, Arrays.copyOf(WHOLE, FIRST_RECORD), Arrays.copyOf(WHOLE, WHOLE.length - 3));
     }
 
-    /** Those of the story, all at once and one by one. */
+    /** The records of the story, all at once and one by one. */
     static List<byte[]> records() {
         List<byte[]> records = new ArrayList<>();
         ByteArrayOutputStream all = new ByteArrayOutputStream();

@@ -18,7 +18,7 @@ import org.evoloop.core.Rules;
 import org.evoloop.core.Snapshot;
 import org.evoloop.time.ManualClock;
 
-/** A core whose inputs are kept in a directory, and what can be done to the files. */
+/** A core with a journal in a directory, with access to the journal's files. */
 final class JournaledCore implements AutoCloseable {
     final Path directory;
     final ManualClock clock = new ManualClock();
@@ -39,7 +39,7 @@ final class JournaledCore implements AutoCloseable {
         return new JournaledCore(directory, Journal.in(directory).withForcing(Forcing.NEVER));
     }
 
-    /** Hears nothing of the past. */
+    /** Ignores the replayed past. */
     static final class Forgetting implements Past {
         @Override
         public void at(Supplier<Instant> time, LongSupplier nanos) {}
@@ -48,12 +48,12 @@ final class JournaledCore implements AutoCloseable {
         public void say(Output output) {}
     }
 
-    JournaledCore tell(List<Input> all) {
-        all.forEach(this::tell);
+    JournaledCore input(List<Input> all) {
+        all.forEach(this::input);
         return this;
     }
 
-    void tell(Input input) {
+    void input(Input input) {
         inputs.apply(input);
         clock.advance(Duration.ofNanos(Math.max(0, core.nowNanos() - clock.nanoTime())));
     }
@@ -63,7 +63,7 @@ final class JournaledCore implements AutoCloseable {
         return segments.get(segments.size() - 1);
     }
 
-    /** What another process would go on with that got a copy of the files as they are. */
+    /** What another process would recover from a copy of the files as they are now. */
     Snapshot recovered(Path copy) throws IOException {
         copyTo(copy);
         return recovered(Robot.RULES, copy, clock);

@@ -9,7 +9,10 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Whenever the process is killed: no effect twice, nothing accepted is lost, and the record is where the device is. */
+/**
+ * Whenever the process is killed: no effect happens twice, nothing accepted is lost, and the recorded state is the
+ * device's.
+ */
 class KillTest {
     @TempDir
     private Path directory;

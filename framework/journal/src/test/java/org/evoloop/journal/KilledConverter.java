@@ -21,8 +21,8 @@ import org.evoloop.time.SystemClock;
 import org.evoloop.time.Threads;
 
 /**
- * The process that {@link KillTest} kills: a converter whose device and whose controller are at the other ends of its
- * standard output and input.
+ * The process that {@link KillTest} kills: a converter whose device is connected to its standard output, and its
+ * controller to its standard input.
  */
 final class KilledConverter {
     private static final PrintStream OUT = new PrintStream(System.out, true, StandardCharsets.UTF_8);
@@ -94,7 +94,7 @@ final class KilledConverter {
         return converter.knowledge().models().evolved().name();
     }
 
-    /** To the larger ring, or from there to the usual one. */
+    /** Evolves to the larger ring, or from there to the usual one. */
     private static void evolve(SystemEventConverter converter) {
         boolean larger = model(converter).equals(Ring.LARGER.evolved().name());
         Ring next = new Ring(larger ? Ring.MODELS : Ring.LARGER);

@@ -19,14 +19,14 @@ import java.util.concurrent.TimeUnit;
 import org.evoloop.JavaProcess;
 
 /**
- * The lives of one converter, each a process of its own, and the device that outlives them: this process. It takes
- * every command that was written before the kill, as a device does that reads from a serial line.
+ * The lives of one converter, each a process of its own, and the device that outlives them, which is this process. It
+ * executes every command written before the kill, like a device that reads from a serial line.
  */
 final class Lives {
     private static final List<String> STATES = List.of("A", "B", "C");
 
-    /** What the device was told: the press and the state it was in, and how often. */
-    private final Map<String, Integer> told = new TreeMap<>();
+    /** How often the device received each command, by the press and the state. */
+    private final Map<String, Integer> reported = new TreeMap<>();
 
     private final Map<Integer, String> pressed = new TreeMap<>();
     private final Map<Integer, String> ended = new TreeMap<>();
@@ -51,7 +51,7 @@ final class Lives {
                 .start();
     }
 
-    /** One life, which a kill ends at a random instant: of its start, of its recovery, or of its work. */
+    /** One life, which a kill ends at a random moment of its start, its recovery or its work. */
     void liveAndBeKilled() throws Exception {
         Process process = begin();
         CountDownLatch started = new CountDownLatch(1);
@@ -75,7 +75,7 @@ final class Lives {
         }
     }
 
-    /** Waits until the converter is about to put other models in. */
+    /** Waits until the converter is about to evolve to other models. */
     private synchronized void awaitEvolving(Process process) throws InterruptedException {
         while (process.isAlive() && model.equals(evolvingTo)) {
             wait(50);
@@ -101,7 +101,7 @@ final class Lives {
                     hear(line, replies, started);
                 }
             } catch (IOException killed) {
-                // What it wrote before has been read.
+                // What it wrote before the kill has been read.
             } finally {
                 started.countDown();
             }
@@ -114,7 +114,7 @@ final class Lives {
         String[] words = line.split(" ", 4);
         switch (words[0]) {
             case "do" -> {
-                told.merge(words[2] + " in " + words[3], 1, Integer::sum);
+                reported.merge(words[2] + " in " + words[3], 1, Integer::sum);
                 assertThat(words[3]).as("%s", line).isEqualTo(STATES.get(device));
                 device = (device + 1) % STATES.size();
                 replies.println("done " + words[1]);
@@ -122,7 +122,9 @@ final class Lives {
             case "where" -> replies.println("in " + STATES.get(device));
             case "evolving" -> evolvingTo = words[2];
             case "model" -> {
-                assertThat(words[1]).as("wholly one or wholly the other").isIn(model, evolvingTo);
+                assertThat(words[1])
+                        .as("entirely one model or entirely the other")
+                        .isIn(model, evolvingTo);
                 evolved += words[1].equals(model) ? 0 : 1;
                 model = words[1];
                 evolvingTo = model;
@@ -143,13 +145,13 @@ final class Lives {
 
     private String at = "";
 
-    // Which models the converter has, and to which it may have evolved since it said so.
+    // The converter's models, and those to which it may have evolved since it reported them.
 
     private String model = "new";
     private String evolvingTo = "new";
     private int evolved;
 
-    /** The last life, which ends when nothing waits any more. */
+    /** The last life, which ends when nothing waits. */
     void liveToTheEnd() throws Exception {
         Process process = begin();
         Thread reader = reading(process, new CountDownLatch(1));
@@ -172,10 +174,10 @@ final class Lives {
         return Files.readString(journal.resolveSibling(journal.getFileName() + ".log"));
     }
 
-    /** What was promised. */
+    /** Checks the promises. */
     synchronized void check() {
-        assertThat(told.values()).as("no effect twice: %s", told).containsOnly(1);
-        assertThat(ended.keySet()).as("none of the accepted lost").containsAll(accepted);
+        assertThat(reported.values()).as("no effect twice: %s", reported).containsOnly(1);
+        assertThat(ended.keySet()).as("no accepted press is lost").containsAll(accepted);
         int inDoubt = 0;
         boolean failedBefore = false;
         for (Map.Entry<Integer, String> end : ended.entrySet()) {
@@ -184,7 +186,7 @@ final class Lives {
                 inDoubt += failedBefore ? 1 : 0;
             }
         }
-        assertThat(doubts).as("what is in doubt is named").hasSizeGreaterThanOrEqualTo(inDoubt > 0 ? 1 : 0);
+        assertThat(doubts).as("doubts are reported").hasSizeGreaterThanOrEqualTo(inDoubt > 0 ? 1 : 0);
         assertThat(doubts)
                 .allMatch(doubt ->
                         doubt.startsWith("doubt it is unknown whether next had its effect: the converter's process"));
@@ -192,14 +194,14 @@ final class Lives {
     }
 
     /**
-     * Returns whether a step of it was in doubt.
+     * Returns whether one of its steps was in doubt.
      *
-     * @param ahead whether the press before it has failed, so that the device may be one step ahead of the new model
+     * @param ahead whether the previous press has failed, so that the device may be one step ahead of the new model
      */
     private boolean hasFailed(int press, String outcome, boolean ahead) {
         int steps = 0;
         for (String state : STATES) {
-            steps += told.getOrDefault(press + " in " + state, 0);
+            steps += reported.getOrDefault(press + " in " + state, 0);
         }
         int planned = pressed.get(press).equals("skip") ? 2 : 1;
         if (outcome.startsWith("HANDLED")) {
@@ -215,7 +217,7 @@ final class Lives {
 
     @Override
     public synchronized String toString() {
-        return accepted.size() + " presses accepted, " + told.size() + " commands, " + doubts.size()
+        return accepted.size() + " presses accepted, " + reported.size() + " commands, " + doubts.size()
                 + " in doubt, evolved " + evolved + " times";
     }
 }

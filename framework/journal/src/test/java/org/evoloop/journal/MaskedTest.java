@@ -18,7 +18,7 @@ import org.evoloop.statemachine.Event;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What is secret is in no file, in whatever way it would get there. */
+/** Secrets are in no file, by whatever path they might get there. */
 class MaskedTest {
     private static final String SECRET = "4711-secret";
 
@@ -45,18 +45,18 @@ class MaskedTest {
                 .withSegmentBytes(1 << 16)
                 .withMasked("pin", "Spot.code");
         try (JournaledCore kept = new JournaledCore(directory, journal)) {
-            kept.tell(new Input.Opened(0));
-            kept.tell(press("Clean", "pin", SECRET));
-            kept.tell(new Input.Ready());
+            kept.input(new Input.Opened(0));
+            kept.input(press("Clean", "pin", SECRET));
+            kept.input(new Input.Ready());
             for (int waiting = 0; waiting < 3; waiting++) {
-                kept.tell(press("Spot", "code", SECRET));
+                kept.input(press("Spot", "code", SECRET));
             }
             while (Directory.segments(directory).size() < 3) {
-                kept.tell(press("Clean", "code", "not masked"));
+                kept.input(press("Clean", "code", "not masked"));
             }
             assertThat(files()).doesNotContain(SECRET).contains("not masked", "owner");
             assertThat(kept.core.snapshot().toString())
-                    .as("the core goes on with it")
+                    .as("the core continues with it")
                     .contains(SECRET);
 
             Snapshot recovered = kept.recovered(directory.resolve("copy"));

@@ -30,22 +30,22 @@ import org.junit.jupiter.api.io.TempDir;
 class NothingIsLostTest {
     private static final int MONITORS = 8;
 
-    /** Mostly what is lost in a full queue; what has happened; and what nobody knows. */
+    /** Mostly events that may be lost in a full queue; also facts, and events that no model has. */
     private static final List<String> STORY =
             List.of("Clean", "Spot", "Clean!", "arriveSpot", "endSpot!", "Claen!", "Clean");
 
     private final AtomicLong left = new AtomicLong();
-    private final AtomicLong told = new AtomicLong();
-    private final CountDownLatch allTold = new CountDownLatch(1);
+    private final AtomicLong reported = new AtomicLong();
+    private final CountDownLatch allReported = new CountDownLatch(1);
     private final SystemClock clock = new SystemClock();
 
     @TempDir
     private Path directory;
 
-    private final class Teller extends EventMonitor {
+    private final class Reporter extends EventMonitor {
         private final CountDownLatch never = new CountDownLatch(1);
 
-        Teller(String name) {
+        Reporter(String name) {
             super(name);
         }
 
@@ -58,10 +58,10 @@ class NothingIsLostTest {
         protected @Nullable Occurrence getEvent() throws InterruptedException {
             long number = left.getAndDecrement();
             if (number <= 0) {
-                allTold.countDown();
+                allReported.countDown();
                 never.await();
             }
-            told.incrementAndGet();
+            reported.incrementAndGet();
             String event = STORY.get((int) (number % STORY.size()));
             return event.endsWith("!") ? fromDevice(event.substring(0, event.length() - 1)) : fromController(event);
         }
@@ -84,7 +84,7 @@ class NothingIsLostTest {
     private SystemEventConverter converter() {
         SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("flooded", clock));
         for (int number = 0; number < MONITORS; number++) {
-            converter.addMonitor(new Teller("Teller" + number));
+            converter.addMonitor(new Reporter("Teller" + number));
         }
         converter.addExecute(new Driver("Driver"));
         converter.addKnowledge(new StateKnowledge(Robot.MODELS) {
@@ -122,17 +122,18 @@ class NothingIsLostTest {
             for (int number = 0; number < MONITORS; number++) {
                 names.add("Teller" + number);
             }
-            for (int change = 0; allTold.getCount() > 0; change++) {
+            for (int change = 0; allReported.getCount() > 0; change++) {
                 String name = names.get(change % MONITORS);
-                converter.exchange(name, new Teller(name));
+                converter.exchange(name, new Reporter(name));
                 converter.exchange("Driver", new Driver("Driver"));
             }
             converter.close();
             last = converter.status();
         }
-        assertThat(sum(last)).isGreaterThanOrEqualTo(told.get());
-        // The rest the core has asked for itself: where the device is after a doubt, or after facts that found no room.
-        assertThat(sum(last) - told.get()).isLessThan(events / 100);
+        assertThat(sum(last)).isGreaterThanOrEqualTo(reported.get());
+        // The rest are the core's own requests for the device's state, after a doubt or after facts for which there was
+        // no room.
+        assertThat(sum(last) - reported.get()).isLessThan(events / 100);
 
         left.set(0);
         try (SystemEventConverter next = converter()) {
@@ -145,7 +146,7 @@ class NothingIsLostTest {
         clock.close();
     }
 
-    /** All that has an outcome, or waits for one. */
+    /** Everything that has an outcome or waits for one. */
     private static long sum(ConverterStatus status) {
         ConverterStatus.EventCounts events = status.events();
         return events.handled()

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What is recovered after each record is what the core knew that went on without interruption. */
+/** The state recovered after each record equals that of an uninterrupted core. */
 class RecoveryTest {
     @TempDir
     private Path directory;
@@ -31,11 +31,11 @@ class RecoveryTest {
     void afterEveryRecord(long seed) throws Exception {
         Core uninterrupted = new Core(Robot.RULES, output -> {});
         try (JournaledCore kept = JournaledCore.in(directory.resolve("journal"))) {
-            int told = 0;
+            int inputs = 0;
             for (Input input : Story.of(Robot.RULES, new Random(seed), 80)) {
-                kept.tell(input);
+                kept.input(input);
                 uninterrupted.apply(input);
-                assertThat(kept.recovered(directory.resolve("copy" + told++)))
+                assertThat(kept.recovered(directory.resolve("copy" + inputs++)))
                         .as("after %s", input)
                         .isEqualTo(uninterrupted.snapshot());
             }
@@ -51,7 +51,7 @@ class RecoveryTest {
         Core uninterrupted = new Core(Robot.RULES, output -> {});
         story.forEach(uninterrupted::apply);
         try (JournaledCore kept = new JournaledCore(path, small)) {
-            kept.tell(story);
+            kept.input(story);
 
             await().ignoreExceptions().until(() -> Directory.segments(path).size() == 2);
             assertThat(kept.recovered(directory.resolve("copy"))).isEqualTo(uninterrupted.snapshot());
@@ -62,19 +62,19 @@ class RecoveryTest {
     @Test
     void aJournalThatWasClosedTakesNoMoreRoomThanItNeeds() throws Exception {
         JournaledCore kept = JournaledCore.in(directory);
-        kept.tell(Story.of(Robot.RULES, new Random(1), 100));
+        kept.input(Story.of(Robot.RULES, new Random(1), 100));
         Path segment = kept.segment();
         kept.close();
 
         assertThat(segment.toFile().length()).isLessThan(10_000);
     }
 
-    /** The time of day of a manual clock is 1970 and what it has advanced. */
+    /** A manual clock's time of day is the beginning of 1970 plus what it has advanced. */
     @Test
     void whatPassesWhileNoProcessRunsCounts() throws Exception {
         Snapshot last;
         try (JournaledCore kept = JournaledCore.in(directory)) {
-            kept.tell(new Input.Opened(10));
+            kept.input(new Input.Opened(10));
             last = kept.core.snapshot();
         }
         ManualClock threeSecondsLater = new ManualClock();
@@ -84,14 +84,14 @@ class RecoveryTest {
         assertThat(JournaledCore.recovered(Robot.RULES, directory, threeSecondsLater))
                 .isEqualTo(last);
         assertThat(JournaledCore.recovered(Robot.RULES, directory, back))
-                .as("a time of day that went back lets nothing pass")
+                .as("if the time of day went back, no time has passed")
                 .isEqualTo(last.later(-10));
     }
 
     @Test
     void otherTimersAndCapacityAreThoseOfItsTime() throws Exception {
         try (JournaledCore kept = JournaledCore.in(directory)) {
-            kept.tell(Story.of(Robot.RULES, new Random(5), 200));
+            kept.input(Story.of(Robot.RULES, new Random(5), 200));
             Snapshot expected = kept.core.snapshot();
             Path copy = directory.resolve("copy");
             kept.copyTo(copy);

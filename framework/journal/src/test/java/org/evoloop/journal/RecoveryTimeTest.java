@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** How long it takes to look through a hundred thousand inputs; the figures stand in docs/journal.md. */
+/** How long it takes to replay a hundred thousand inputs; docs/journal.md quotes the figures. */
 class RecoveryTimeTest {
     private static final int INPUTS = 100_000;
     private static final int TIMES = 15;
@@ -26,7 +26,7 @@ class RecoveryTimeTest {
         Journal large = Journal.in(directory).withSegmentBytes(1 << 24).withForcing(Forcing.NEVER);
         Snapshot expected;
         JournaledCore kept = new JournaledCore(directory, large);
-        kept.tell(Story.of(Robot.RULES, new Random(1), INPUTS));
+        kept.input(Story.of(Robot.RULES, new Random(1), INPUTS));
         expected = kept.core.snapshot();
 
         kept.close();

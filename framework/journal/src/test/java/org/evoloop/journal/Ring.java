@@ -7,7 +7,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.StateMachineBuilder;
 
-/** A device that goes from A to B to C and round again, and a new model in which one event takes it two steps on. */
+/** A device that goes round from A to B to C, and a new model in which one event takes it two steps further. */
 final class Ring extends StateKnowledge {
     static final ModelPair MODELS = new ModelPair(
             StateMachine.named("original")
@@ -18,7 +18,7 @@ final class Ring extends StateKnowledge {
                     .build(),
             round("new").build());
 
-    /** The same with a state more. */
+    /** The same with one more state. */
     static final ModelPair LARGER = new ModelPair(
             MODELS.original(),
             round("larger")

@@ -51,7 +51,7 @@ final class Robot {
                 evolved.build());
     }
 
-    /** A robot that goes back to On after cleaning, with no waiting in between. */
+    /** A robot that returns to On after cleaning, without waiting in between. */
     static ModelPair withoutSpotWait() {
         StateMachineBuilder evolved = StateMachine.named("direct")
                 .initial("Off")

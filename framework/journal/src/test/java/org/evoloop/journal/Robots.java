@@ -20,7 +20,7 @@ import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.State;
 import org.evoloop.time.ManualClock;
 
-/** The robot with one converter after the other; each goes on with a copy of the journal of the one before. */
+/** The robot with one converter after another; each continues with a copy of its predecessor's journal. */
 final class Robots implements AutoCloseable {
     final List<String> sent = new ArrayList<>();
     final List<String> done = new ArrayList<>();
@@ -28,13 +28,13 @@ final class Robots implements AutoCloseable {
     SystemEventConverter converter;
     Buttons buttons;
 
-    /** What happens in the middle of what is sent or run next. */
+    /** What happens in the middle of the next sent or executed step. */
     Runnable meanwhile = () -> {};
 
-    /** Where the device says that it is; empty if it cannot tell. */
+    /** The state that the device reports; empty if it cannot report it. */
     Optional<String> answer = Optional.empty();
 
-    /** Whether the next converter can make knowledge of other models. */
+    /** Whether the next converter can create knowledge for other models. */
     boolean evolving = true;
 
     private final Path directory;
@@ -112,7 +112,7 @@ final class Robots implements AutoCloseable {
         converter.observe(buttons);
     }
 
-    /** Nothing new can be written to the journal. */
+    /** Makes writing to the journal fail. */
     void blockJournal() throws IOException {
         Files.move(journal(), directory.resolve("elsewhere"));
     }
@@ -121,7 +121,7 @@ final class Robots implements AutoCloseable {
         Files.move(directory.resolve("elsewhere"), journal());
     }
 
-    /** Other models take over; timers and functions go by name. */
+    /** Evolves to other models; timers and functions are found by name. */
     void evolve(ModelPair models) {
         converter.evolve(Evolution.to(new Knowing(models)));
     }
@@ -133,7 +133,7 @@ final class Robots implements AutoCloseable {
         }
     }
 
-    /** The files as they are at this moment. */
+    /** Copies the files as they are now. */
     void copy() {
         try {
             Path next = directory.resolve("life" + (lives + 1));
@@ -146,7 +146,7 @@ final class Robots implements AutoCloseable {
         }
     }
 
-    /** Another process goes on with the copy, at this time of day. */
+    /** Another process continues with the copy, at this time of day. */
     void revive(Duration time) {
         meanwhile = () -> {};
         converter.close();
@@ -163,7 +163,7 @@ final class Robots implements AutoCloseable {
         return converter.status().states().toString();
     }
 
-    /** Where other models took over, and which, as the journal tells. */
+    /** Where the models were replaced, and by which, according to the journal. */
     List<String> swaps() {
         List<String> swaps = new ArrayList<>();
         new JournalFiles(journal()).read(each -> {

@@ -16,7 +16,7 @@ import org.evoloop.evolution.Values;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 
-/** Inputs at random that could have been told to a core, well or badly. */
+/** Random inputs that a core could receive, including failures. */
 final class Story {
     private static final List<String> EVENTS = List.of("Clean", "Spot", "arriveSpot", "nobody's");
 
@@ -31,7 +31,7 @@ final class Story {
         this.core = new Core(rules, output -> {});
     }
 
-    /** So many inputs, each a nanosecond or more after the one before. */
+    /** This many inputs, each a nanosecond or more after the previous one. */
     static List<Input> of(Rules rules, Random random, int length) {
         Story story = new Story(rules, random);
         List<Input> inputs = new ArrayList<>();
@@ -56,7 +56,7 @@ final class Story {
             case 2:
                 return seldom(at, work);
             default:
-                return work == null ? new Input.Ready() : goOn(at, work);
+                return work == null ? new Input.Ready() : proceed(at, work);
         }
     }
 
@@ -89,7 +89,7 @@ final class Story {
         };
     }
 
-    private Input goOn(Snapshot at, Work work) {
+    private Input proceed(Snapshot at, Work work) {
         long number = work.pending().number();
         Decision decision = work.decision();
         if (work.stage() == Work.Stage.INTERRUPTED) {

@@ -26,10 +26,7 @@ import org.evoloop.statemachine.State;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/**
- * What a core says in random runs breaks no property that holds for its models: its moments are those of the model
- * checker.
- */
+/** The outputs of a core in random runs break no property that the model checker found to hold for its models. */
 class WatchedCoreTest {
     private static final int EVENTS = 200;
     private static final long MILLISECOND = 1_000_000;

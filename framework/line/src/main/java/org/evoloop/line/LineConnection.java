@@ -90,7 +90,7 @@ public final class LineConnection implements DeviceLink, AutoCloseable {
     }
 
     /** Sends a line. @throws IOException if it was not sent, or may not have arrived; the message says which */
-    public void tell(String line) throws IOException {
+    public void send(String line) throws IOException {
         wire.write(requireOneLine(line));
     }
 

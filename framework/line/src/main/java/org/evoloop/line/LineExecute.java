@@ -92,7 +92,7 @@ public class LineExecute extends EventExecute {
         }
         Answers expected = answers;
         if (expected == null) {
-            connection.tell(line);
+            connection.send(line);
             return;
         }
         String answer = connection.ask(line, expected.any(), expected.limit(), heard -> {

@@ -92,7 +92,7 @@ final class Reconnector {
         }
     }
 
-    /** See {@link LineConnection#tell}. */
+    /** See {@link LineConnection#send}. */
     void write(String line) throws IOException {
         Wire open = wire;
         if (open == null) {

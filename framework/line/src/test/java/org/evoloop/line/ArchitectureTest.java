@@ -9,7 +9,7 @@ import com.tngtech.archunit.lang.ArchRule;
 import java.net.Socket;
 import java.time.Instant;
 
-/** What the protocol may know of its transports, and of time. */
+/** How the protocol may depend on its transports and on time. */
 @AnalyzeClasses(packages = "org.evoloop.line", importOptions = ImportOption.DoNotIncludeTests.class)
 class ArchitectureTest {
     @ArchTest

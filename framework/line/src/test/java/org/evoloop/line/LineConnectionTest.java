@@ -20,14 +20,14 @@ import org.evoloop.time.SystemClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** Over a real socket: a server that comes late, dies, hangs, floods or talks nonsense. */
+/** Over a real socket: a server that starts late, dies, hangs, floods or sends nonsense. */
 class LineConnectionTest {
     private static final Duration PATIENCE = Duration.ofSeconds(LineServer.PATIENCE_SECONDS);
 
     private final SystemClock clock = new SystemClock();
     private final LineServer server = newServer();
     private final LineConnection connection = new LineConnection(server.transport(), clock);
-    private final BlockingQueue<String> told = new LinkedBlockingQueue<>();
+    private final BlockingQueue<String> received = new LinkedBlockingQueue<>();
 
     private static LineServer newServer() {
         try {
@@ -45,7 +45,7 @@ class LineConnectionTest {
     }
 
     private String next() throws InterruptedException {
-        return String.valueOf(told.poll(LineServer.PATIENCE_SECONDS, TimeUnit.SECONDS));
+        return String.valueOf(received.poll(LineServer.PATIENCE_SECONDS, TimeUnit.SECONDS));
     }
 
     @Test
@@ -57,7 +57,7 @@ class LineConnectionTest {
             await().atMost(PATIENCE).until(() -> connection.describe().contains("refuses connections; check the port"));
             assertThat(connection.isUp()).isFalse();
             assertThat(connection.downSince()).isPresent();
-            assertThatThrownBy(() -> connection.tell("hello"))
+            assertThatThrownBy(() -> connection.send("hello"))
                     .isInstanceOf(IOException.class)
                     .hasMessageEndingWith("so 'hello' was not sent");
             try (LineServer late = new LineServer(port)) {
@@ -73,9 +73,9 @@ class LineConnectionTest {
     }
 
     @Test
-    void aServerThatDiesIsConnectedToAgainAndHalfALineIsNotHeard() throws Exception {
+    void aServerThatDiesIsConnectedToAgainAndHalfALineIsDropped() throws Exception {
         connection.greet("state?");
-        connection.listen(told::add);
+        connection.listen(received::add);
         connection.open();
         Socket first = server.client();
         assertThat(server.nextLine()).isEqualTo("state?");
@@ -107,7 +107,7 @@ class LineConnectionTest {
     @Test
     void anAnswerThatIsLateEndsTheConnectionSinceItCouldBeTakenForTheNext() throws Exception {
         server.answers.put("fast", "OK");
-        connection.listen(told::add);
+        connection.listen(received::add);
         connection.open();
         await().atMost(PATIENCE).until(connection::isUp);
         Socket first = server.client();
@@ -118,7 +118,7 @@ class LineConnectionTest {
                 .hasMessageContaining("has not answered 'slow' within 50 ms");
         server.client();
         assertThat(first.getInputStream().read()).isNegative();
-        assertThat(told).isEmpty();
+        assertThat(received).isEmpty();
     }
 
     @Test
@@ -134,7 +134,7 @@ class LineConnectionTest {
     @Test
     void garbageIsReportedOnceAndAFloodIsReadToItsEnd() throws Exception {
         try (Logged log = new Logged("org.evoloop.line")) {
-            connection.listen(told::add);
+            connection.listen(received::add);
             connection.open();
             Socket client = server.client();
             byte[] garbage = new byte[100_000];
@@ -172,7 +172,7 @@ class LineConnectionTest {
 
     @Test
     void whatIsNotALineOrNoAddressIsRefused() {
-        assertThatIllegalArgumentException().isThrownBy(() -> connection.tell("two\nlines"));
+        assertThatIllegalArgumentException().isThrownBy(() -> connection.send("two\nlines"));
         assertThatIllegalArgumentException().isThrownBy(() -> connection.greet(""));
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> connection.reading("battery", Pattern.compile("bat"), "%"))

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** A lamp and its switch at one socket, and a converter between. */
+/** A lamp and its switch on one socket, with a converter between them. */
 class LinePartsTest {
     private static final Duration PATIENCE = Duration.ofSeconds(LineServer.PATIENCE_SECONDS);
 
@@ -76,7 +76,7 @@ class LinePartsTest {
     }
 
     @Test
-    void whatIsOperatedComesAsALineAndGoesOnAsALine() throws Exception {
+    void whatIsOperatedArrivesAsALineAndIsSentAsALine() throws Exception {
         Socket client = start();
         LineServer.send(client, "nonsense\r\nclick\r\n");
         assertThat(server.nextLine()).isEqualTo("SW");
@@ -116,7 +116,7 @@ class LinePartsTest {
         assertThat(server.heard).isEmpty();
     }
 
-    /** It tells at first that it is off. */
+    /** Starts with a lamp that reports that it is off. */
     private Socket startAnswered() throws InterruptedException {
         server.answers.put("STATE?", "is off");
         Socket client = start();
@@ -133,7 +133,7 @@ class LinePartsTest {
         server.close();
         await().atMost(PATIENCE).until(() -> !connection.isUp());
         assertThat(converter.status().link().up()).isFalse();
-        assertThatThrownBy(() -> connection.tell("SW"))
+        assertThatThrownBy(() -> connection.send("SW"))
                 .isInstanceOf(IOException.class)
                 .hasMessageContaining("was not sent");
         try (LineServer again = new LineServer(port)) {

@@ -16,11 +16,11 @@ import java.util.concurrent.TimeUnit;
 import org.evoloop.time.Threads;
 import org.jspecify.annotations.Nullable;
 
-/** A TCP server that speaks in lines: it notes what it gets, and answers what it was told to. */
+/** A TCP server for lines: it records those that it receives, and sends predefined answers. */
 final class LineServer implements AutoCloseable {
     static final int PATIENCE_SECONDS = 20;
 
-    /** What it answers, by line; an empty answer hangs up. */
+    /** The answers by line; for an empty one it closes the connection. */
     final Map<String, String> answers = new ConcurrentHashMap<>();
 
     final BlockingQueue<String> heard = new LinkedBlockingQueue<>();
@@ -32,7 +32,7 @@ final class LineServer implements AutoCloseable {
         this(0);
     }
 
-    /** @param port 0 for any that is free */
+    /** @param port 0 for any free port */
     LineServer(int port) throws IOException {
         server = new ServerSocket(port, 50, InetAddress.getLoopbackAddress());
         Threads.start("line-server", this::serve);
@@ -72,11 +72,11 @@ final class LineServer implements AutoCloseable {
                 }
             }
         } catch (IOException gone) {
-            // So is the client.
+            // The client has closed the connection.
         }
     }
 
-    /** The next client that has connected. */
+    /** Waits for the next client. */
     Socket client() throws InterruptedException {
         return got(clients.poll(PATIENCE_SECONDS, TimeUnit.SECONDS), "nobody has connected");
     }

@@ -21,12 +21,12 @@ import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Whatever bytes come from a device or a controller, over TCP or a serial port: its lines are heard, and nothing else. */
+/** Whatever bytes come from a device or a controller, over TCP or a serial port, exactly their lines are received. */
 @Timeout(30)
 class LinesFuzzTest {
     private static final int PATIENCE_SECONDS = 20;
 
-    /** Brings bytes; when they have been read, and whoever reads wants more, the wire has done its work. */
+    /** Supplies bytes; when they have been read and more is requested, the test is over. */
     private static final class Bytes extends InputStream implements LineTransport.Wire {
         private final ByteBuffer left;
         private final CountDownLatch read = new CountDownLatch(1);
@@ -76,7 +76,7 @@ class LinesFuzzTest {
 
     @MethodSource("seeds")
     @FuzzTest
-    void everyLineIsHeardOnceAndInItsOrder(byte[] bytes) throws Exception {
+    void everyLineIsReceivedOnceAndInOrder(byte[] bytes) throws Exception {
         Bytes wire = new Bytes(bytes);
         List<String> heard = new ArrayList<>();
         try (ManualClock clock = new ManualClock();
@@ -99,7 +99,7 @@ class LinesFuzzTest {
         }
     }
 
-    /** What {@link LineConnection} promises, said in another way. */
+    /** The lines that {@link LineConnection} promises, determined in another way. */
     private static List<String> lines(byte[] bytes) throws IOException {
         List<String> lines = new ArrayList<>();
         ByteArrayOutputStream line = new ByteArrayOutputStream();
@@ -118,7 +118,7 @@ class LinesFuzzTest {
                             .toString());
                 }
             } catch (CharacterCodingException garbage) {
-                // No line.
+                // Not a line.
             }
         }
         return lines;

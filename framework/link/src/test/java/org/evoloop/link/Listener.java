@@ -9,7 +9,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
-/** Reads a link and remembers what has come. */
+/** Reads a link and records what was received. */
 class Listener {
     static final long PATIENCE_SECONDS = 10;
 
@@ -17,7 +17,7 @@ class Listener {
     private final CompletableFuture<LinkException> lost = new CompletableFuture<>();
     private volatile long threadCpuNanos;
 
-    /** Reads on a thread of its own until the link ends. */
+    /** Reads on its own thread until the link ends. */
     Link listenTo(Link link) {
         Thread reader = new Thread(() -> read(link), "listener");
         reader.setDaemon(true);
@@ -25,7 +25,7 @@ class Listener {
         return link;
     }
 
-    /** Reads until nothing more comes. */
+    /** Reads until the link ends. */
     void read(Link link) {
         byte[] buffer = new byte[1_024];
         for (int length = link.receive(buffer); length > 0; length = link.receive(buffer)) {
@@ -45,14 +45,14 @@ class Listener {
 
     void lost(LinkException cause) {
         threadCpuNanos = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
-        assertThat(lost.complete(cause)).as("a loss is told once").isTrue();
+        assertThat(lost.complete(cause)).as("a loss is reported once").isTrue();
     }
 
     synchronized byte[] received() {
         return received.toByteArray();
     }
 
-    /** Waits until so many bytes have come in all. */
+    /** Waits until this many bytes have been received in total. */
     synchronized byte[] awaitReceived(int length) throws InterruptedException {
         long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
         while (received.size() < length && System.nanoTime() - deadline < 0) {
@@ -70,7 +70,7 @@ class Listener {
         return lost.isDone();
     }
 
-    /** The processor time that the thread which told the loss has used in its life. */
+    /** The total processor time of the thread that reported the loss. */
     long threadCpuNanos() {
         return threadCpuNanos;
     }

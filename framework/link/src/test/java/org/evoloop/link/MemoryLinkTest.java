@@ -39,7 +39,7 @@ class MemoryLinkTest {
     }
 
     @Test
-    void aSmallBufferTakesThemPieceByPieceAndNobodyWaits() {
+    void aSmallBufferTakesThemPieceByPieceWithoutWaiting() {
         converter.send(new byte[] {1, 2, 3});
         converter.send(new byte[] {4});
         byte[] buffer = new byte[2];
@@ -62,7 +62,7 @@ class MemoryLinkTest {
     }
 
     @Test
-    void hangingUpIsToldAtBothEndsAfterWhatHadCome() {
+    void hangingUpIsReportedAtBothEndsAfterAllBytes() {
         device.send(new byte[] {1});
         converter.hangUp();
         device.hangUp();

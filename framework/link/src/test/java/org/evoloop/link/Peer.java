@@ -6,7 +6,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.IntPredicate;
 import org.evoloop.natives.Pty;
 
-/** Reads a pseudo-terminal on a thread of its own and, if told so, echoes. Ends when the terminal hangs up. */
+/** Reads a pseudo-terminal on its own thread and echoes on request. Ends when the terminal hangs up. */
 final class Peer implements AutoCloseable {
     private final Pty pty;
     private final Listener heard = new Listener();

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Each way in which a port cannot be opened, in the words a user reads. */
+/** Every reason why a port cannot be opened, with the message that users see. */
 @EnabledOnOs(OS.LINUX)
 @Timeout(60)
 class SerialFaultsTest {

@@ -10,11 +10,11 @@ import java.time.Duration;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** What a serial link holds while it lives. */
+/** The resources that an open serial link holds. */
 final class SerialLeaks {
     private SerialLeaks() {}
 
-    /** An ended link's threads may need a moment to leave the system's list. */
+    /** The threads of a closed link may take a moment to disappear from the system's list. */
     static void awaitNoThreads() {
         await().pollDelay(Duration.ZERO)
                 .pollInterval(Duration.ofMillis(1))

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 
-/** A serial link against a real pseudo-terminal. */
+/** A serial link on a real pseudo-terminal. */
 @EnabledOnOs(OS.LINUX)
 @Timeout(60)
 class SerialLinkTest {
@@ -33,7 +33,7 @@ class SerialLinkTest {
             int window = 2_048;
             for (int start = 0; start < sent.length; start += window) {
                 link.send(Arrays.copyOfRange(sent, start, start + window));
-                // The terminal drops what does not fit, as a UART does, so no more than a window is under way.
+                // The terminal drops what does not fit, like a UART, so at most one window is in transit.
                 listener.awaitReceived(start + window);
             }
             assertThat(listener.received()).isEqualTo(sent);
@@ -102,7 +102,7 @@ class SerialLinkTest {
             link.send(COMMAND);
             link.close();
             assertThat(Thread.interrupted())
-                    .as("the interrupt is still to be seen")
+                    .as("the thread is still marked as interrupted")
                     .isTrue();
             assertThat(peer.awaitHeard(COMMAND.length)).isEqualTo(COMMAND);
             SerialLeaks.awaitNoThreads();
@@ -155,7 +155,7 @@ class SerialLinkTest {
     }
 
     @Test
-    void whoReceivesMayCloseTheLink() throws Exception {
+    void theReceivingThreadMayCloseTheLink() throws Exception {
         CompletableFuture<Boolean> closed = new CompletableFuture<>();
         try (Pty pty = Pty.open()) {
             Link link = SerialLink.open(settings(pty));
@@ -176,7 +176,7 @@ class SerialLinkTest {
     }
 
     @Test
-    void aLinkThatNobodyReadsIsGivenBackByWhoeverClosesIt() throws Exception {
+    void closingALinkThatIsNotReadReleasesIt() throws Exception {
         try (Pty pty = Pty.open()) {
             Link link = SerialLink.open(settings(pty));
             link.send(COMMAND);

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What a serial link does when the other end goes away or stops reading, and what it leaves behind. */
+/** What a serial link does, and what it leaves behind, when the other end disappears or stops reading. */
 @EnabledOnOs(OS.LINUX)
 @Timeout(60)
 class SerialLossTest {
@@ -40,7 +40,7 @@ class SerialLossTest {
     }
 
     @Test
-    void aHangUpIsToldAndEverythingIsGivenBack() throws Exception {
+    void aHangUpIsReportedAndAllResourcesAreReleased() throws Exception {
         Listener listener = new Listener();
         Pty pty = Pty.open(Path.of(path));
         Link link = open(listener);
@@ -106,7 +106,7 @@ class SerialLossTest {
     }
 
     @Test
-    void whoHearsOfTheLossCanOpenTheNextLinkAtOnce() throws Exception {
+    void afterALossTheNextLinkCanBeOpenedAtOnce() throws Exception {
         CompletableFuture<Link> next = new CompletableFuture<>();
         Listener nextListener = new Listener();
         Pty first = Pty.open(Path.of(path));
@@ -148,7 +148,7 @@ class SerialLossTest {
             link.close();
             SerialLeaks.awaitNoThreads();
             assertThat(leftOver(pty))
-                    .as("only what the terminal's far end had taken")
+                    .as("only what the terminal's far end had already accepted")
                     .isLessThan(2 * FAR_END_BUFFER);
         }
     }
@@ -211,7 +211,7 @@ class SerialLossTest {
         }
     }
 
-    /** A send of which the first bytes have come, and whose rest cannot. */
+    /** A send whose first bytes have arrived and whose remaining ones cannot. */
     private static CompletableFuture<Void> stuckSend(Pty pty, Link link) {
         CompletableFuture<Void> stuck = CompletableFuture.runAsync(() -> link.send(TOO_MUCH));
         await().until(() -> pty.read(new byte[1], 200) > 0);
@@ -232,7 +232,7 @@ class SerialLossTest {
         return open(listener, SerialSettings.DEFAULT_SEND_LIMIT_MILLIS);
     }
 
-    /** Opens so fast a line that a send's limit is all there is to wait for. */
+    /** Opens a line so fast that only the limit of a send matters. */
     private Link open(Listener listener, int sendLimitMillis) {
         return listener.listenTo(
                 SerialLink.open(new SerialSettings(path).withBaud(4_000_000).withSendLimitMillis(sendLimitMillis)));

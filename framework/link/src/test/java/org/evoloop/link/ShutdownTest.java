@@ -68,7 +68,7 @@ class ShutdownTest {
         assertThat(ended).isTrue();
     }
 
-    /** A process that ignores a signal passes that on to its children; the build does not use the link. */
+    /** Child processes inherit ignored signals. */
     private static boolean hangupsAreIgnored() throws IOException {
         long build = ProcessHandle.current().parent().orElseThrow().pid();
         try (Stream<String> status = Files.lines(Path.of("/proc/" + build + "/status"))) {
@@ -81,7 +81,7 @@ class ShutdownTest {
         }
     }
 
-    /** Starts the device, then ends or waits for its end without a word. */
+    /** Starts the device, then exits or waits to be killed, printing nothing. */
     static final class Program {
         private Program() {}
 

@@ -7,7 +7,7 @@ import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
 
-/** The figures look at a converter's status, and at nothing behind it. */
+/** Metrics use a converter's status and none of its internals. */
 @AnalyzeClasses(packages = "org.evoloop.metrics", importOptions = ImportOption.DoNotIncludeTests.class)
 class ArchitectureTest {
     @ArchTest

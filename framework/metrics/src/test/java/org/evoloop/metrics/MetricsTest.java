@@ -29,7 +29,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What Prometheus is told of the paper's light bulb at its page. */
+/** What Prometheus gets from the page of the paper's light bulb. */
 @Timeout(60)
 class MetricsTest {
     private final ConverterHarness lamp = lamp("lamp");
@@ -98,7 +98,7 @@ class MetricsTest {
     }
 
     @Test
-    void eventsQueueAndStatesAreTold() throws Exception {
+    void eventsQueueAndStatesAreExported() throws Exception {
         lamp.press("switch");
 
         assertThat(scrape())
@@ -121,8 +121,8 @@ class MetricsTest {
         lamp.press("switch").press("switch");
 
         assertThat(get("/metrics").body()).contains("# TYPE evoloop_conversion_time_seconds histogram");
-        Map<String, Double> told = scrape();
-        assertThat(told)
+        Map<String, Double> samples = scrape();
+        assertThat(samples)
                 .containsEntry("evoloop_conversion_time_seconds_count{converter=\"lamp\"}", 2.0)
                 .containsEntry("evoloop_conversion_time_seconds_sum{converter=\"lamp\"}", 0.0)
                 .containsEntry("evoloop_conversion_time_seconds_bucket{converter=\"lamp\",le=\"5.0E-5\"}", 2.0)
@@ -131,7 +131,7 @@ class MetricsTest {
     }
 
     @Test
-    void whatDeviceAndFunctionTellInNumbersComesAndGoes() throws Exception {
+    void numericReadingsOfDeviceAndFunctionComeAndGo() throws Exception {
         String battery = "evoloop_device{converter=\"lamp\",reading=\"battery\",unit=\"%\"}";
         String warmth = "evoloop_function{converter=\"lamp\",reading=\"warmth\",unit=\"\"}";
         String link = "evoloop_link_up{converter=\"lamp\"}";

@@ -9,7 +9,7 @@ import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Reads the text format of Prometheus, version 0.0.4, as strictly as it is described. */
+/** Reads Prometheus's text format, version 0.0.4, strictly according to its specification. */
 final class Scrape {
     private static final String NAME = "[a-zA-Z_:][a-zA-Z0-9_:]*";
     private static final Pattern COMMENT = Pattern.compile("# (HELP|TYPE) (" + NAME + ") (.+)");
@@ -19,7 +19,10 @@ final class Scrape {
 
     private Scrape() {}
 
-    /** The samples by name and labels. Fails if a line is wrong, of no family, in two places or there twice. */
+    /**
+     * The samples by name and labels. Fails if a line is malformed, without a family, outside its family's group, or a
+     * duplicate.
+     */
     static Map<String, Double> read(String text) {
         assertThat(text).endsWith("\n");
         Map<String, Double> samples = new TreeMap<>();
@@ -32,7 +35,7 @@ final class Scrape {
                     over.add(family);
                     family = comment.group(2);
                     assertThat(over)
-                            .as("families that were over before " + line)
+                            .as("families that had ended before " + line)
                             .doesNotContain(family);
                 }
                 if (comment.group(1).equals("TYPE")) {

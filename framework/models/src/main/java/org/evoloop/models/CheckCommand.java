@@ -59,7 +59,7 @@ final class CheckCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         ModelPair pair = options.read();
-        CheckInput input = converter.tell(CheckInput.of(pair).withDevice(options.device(pair)));
+        CheckInput input = converter.addTo(CheckInput.of(pair).withDevice(options.device(pair)));
         List<Finding> all = new ArrayList<>(Check.run(input));
         PropertyFile written = PropertyFile.none();
         TimeReport times = TimeReport.NONE;

@@ -49,7 +49,7 @@ final class ConverterOptions {
      *
      * @throws IllegalArgumentException for a name that neither model has
      */
-    CheckInput tell(CheckInput models) {
+    CheckInput addTo(CheckInput models) {
         ModelPair pair = models.pair();
         CheckInput input = models;
         if (functions != null) {

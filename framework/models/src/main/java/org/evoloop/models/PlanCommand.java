@@ -54,8 +54,8 @@ final class PlanCommand implements Callable<Integer> {
         DeviceEvents device = options.device(pair);
         boolean json = format == Format.JSON;
         if (bypass) {
-            Bypass told = Bypass.of(pair, device);
-            return Output.print(spec, json ? BypassJson.write(told) : BypassText.write(told));
+            Bypass described = Bypass.of(pair, device);
+            return Output.print(spec, json ? BypassJson.write(described) : BypassText.write(described));
         }
         EvolutionPlan plan = EvolutionPlan.of(pair, device);
         return Output.print(spec, json ? PlanJson.write(plan) : PlanText.write(plan));

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A new model that only adds a history: states that differ in what they remember are the device's states. */
+/** A new model that only adds a history: states that differ only in what is remembered are states of the device. */
 class AddedHistoryTest {
     @TempDir
     private Path directory;

@@ -8,7 +8,7 @@ import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.library.Architectures;
 
-/** The rooms of the tool and the arrows between them. */
+/** The packages of the tool and the dependencies between them. */
 @AnalyzeClasses(packages = "org.evoloop.models", importOptions = ImportOption.DoNotIncludeTests.class)
 class ArchitectureTest {
     @ArchTest

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
 
-/** What a user can mend is one message, exit status 2, and nothing on the standard output. */
+/** An error that the user can fix gives one message, exit status 2, and nothing on standard output. */
 class BadInputTest {
     private static final String ORIGINAL = Tool.ROBOT + "#original";
     private static final String NEW = Tool.ROBOT + "#new";
@@ -49,7 +49,7 @@ class BadInputTest {
     }
 
     @Test
-    void aFileThatIsNoModelIsRefused(@TempDir Path directory) throws Exception {
+    void aFileThatIsNotAModelIsRefused(@TempDir Path directory) throws Exception {
         Path file = Files.writeString(directory.resolve("note.xml"), "<note/>");
 
         assertRefused(Tool.run("show", file.toString()), "note.xml", "note");
@@ -121,7 +121,7 @@ class BadInputTest {
     }
 
     @Test
-    void aPairThatIsNoEvolutionHasNoPlan() {
+    void aPairThatIsNotAnEvolutionHasNoPlan() {
         assertRefused(Tool.run("plan", NEW, ORIGINAL), "not an evolution", "Move", "SpotWait", "timeout");
     }
 

@@ -21,7 +21,7 @@ class BypassTest {
     }
 
     @Test
-    void eachEventIsToldInEachPairOfStates() {
+    void eachEventIsExplainedInEachPairOfStates() {
         Tool text = bypass();
         assertThat(text.err()).isEmpty();
         assertThat(text.status()).isZero();
@@ -63,16 +63,16 @@ class BypassTest {
 
     @Test
     void programsReadIt() {
-        JsonNode told = new JsonMapper().readTree(bypass("--format", "json").out());
-        assertThat(told.path("bypass")).hasSize(9);
-        JsonNode spot = told.path("bypass").get(1);
+        JsonNode json = new JsonMapper().readTree(bypass("--format", "json").out());
+        assertThat(json.path("bypass")).hasSize(9);
+        JsonNode spot = json.path("bypass").get(1);
         assertThat(spot.path("event").asString()).isEqualTo("Spot");
         assertThat(spot.path("kind").asString()).isEqualTo("other");
         assertThat(spot.path("deviceState").asString()).isEqualTo("Spot");
         assertThat(spot.path("converter").path("newState").asString()).isEqualTo("Move");
         assertThat(spot.path("converter").path("events")).isEmpty();
         assertThat(spot.path("found").path("newState").asString()).isEqualTo("Spot");
-        JsonNode stopped = told.path("stopped").get(0);
+        JsonNode stopped = json.path("stopped").get(0);
         assertThat(stopped.path("newState").asString()).isEqualTo("Move");
         assertThat(stopped.path("function").asBoolean()).isTrue();
     }

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** What the commands say of the paper's cleaning robot. */
+/** The commands' output for the paper's cleaning robot. */
 class CommandsTest {
     private static final String ORIGINAL = Tool.ROBOT + "#original";
     private static final String NEW = Tool.ROBOT + "#new";
@@ -52,7 +52,7 @@ class CommandsTest {
     }
 
     @Test
-    void showTellsAllMachinesOfAFile() {
+    void showListsAllMachinesOfAFile() {
         assertThat(good("show", Tool.ROBOT))
                 .contains(
                         "original: 4 states, 3 events, 5 transitions\n",
@@ -74,7 +74,7 @@ class CommandsTest {
     }
 
     @Test
-    void diffTellsKeptAddedReroutedAndRemoved() {
+    void diffShowsKeptAddedReroutedAndRemoved() {
         assertThat(good("diff", ORIGINAL, NEW))
                 .contains("states\n  kept      Off, On, Clean, Spot\n  added     Move, SpotWait\n  removed   -\n")
                 .contains("  added     Move --arriveSpot--> Spot\n")
@@ -103,7 +103,7 @@ class CommandsTest {
     }
 
     @Test
-    void planTellsHowEachTransitionComesAbout() {
+    void planExplainsEachTransition() {
         assertThat(good("plan", ORIGINAL, NEW, "--spontaneous", "endSpot").lines())
                 .contains("assumed: the converter can send Clean, Spot; the device takes endSpot by itself")
                 .contains("(Off, Off)  Off --Clean--> On:  same event Clean")
@@ -115,7 +115,7 @@ class CommandsTest {
     }
 
     @Test
-    void planTellsWhatFollowsWhenAStepFails() {
+    void planShowsWhatFollowsWhenAStepFails() {
         String[] plan = {"plan", ORIGINAL, NEW, "--spontaneous", "endSpot", "--on-failure", "Clean@SpotWait=back"};
         assertThat(good(plan).lines()).contains("    if Spot fails in On: back by Clean");
         plan[6] = "Clean=other-way";
@@ -151,7 +151,7 @@ class CommandsTest {
     }
 
     @Test
-    void planTellsPathsWithTheStatesBetween() {
+    void planShowsPathsWithTheStatesBetween() {
         JsonNode plan = json("plan", ORIGINAL, NEW, "--format", "json");
 
         JsonNode path = row(plan, "SpotWait", "Clean");
@@ -189,7 +189,7 @@ class CommandsTest {
     }
 
     @Test
-    void checkTellsOnceOfAnEventThatNobodySendsOrDeclares() {
+    void checkReportsOnceAnEventThatIsNeitherSentNorDeclared() {
         Tool undeclared = Tool.run("check", ORIGINAL, NEW, "--sendable", "Clean,Spot");
         assertThat(undeclared.status()).isEqualTo(1);
         assertThat(undeclared.out())
@@ -213,7 +213,7 @@ class CommandsTest {
     }
 
     @Test
-    void checkJudgesWhatItIsToldOfTheConverter() {
+    void checkUsesTheConvertersOptions() {
         Tool unbound =
                 Tool.run("check", ORIGINAL, NEW, "--functions", "Move", "--raised", "Clean,Spot,endSpot,timeout");
 
@@ -222,7 +222,7 @@ class CommandsTest {
                 .contains("no-function: new state SpotWait", "unraised-event: nobody raises event arriveSpot");
     }
 
-    /** A guard may hold commas, as options that list guards do. */
+    /** A guard may contain commas, which also separate the guards in an option's list. */
     @Test
     void namesWithCommasAreFoundInLists() {
         Set<String> known = Set.of("a", "max(a, b) > 1", "c");

@@ -26,7 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.ObjectMapper;
 
-/** A lamp's converter keeps a journal and goes on keeping it while somebody looks into it. */
+/** A lamp's converter writes a journal, also while it is being read. */
 class JournalCommandTest {
     @TempDir
     private Path folder;
@@ -61,7 +61,7 @@ class JournalCommandTest {
     }
 
     @Test
-    void replayTellsWhereOtherModelsWouldHaveDecidedOtherwise() throws Exception {
+    void replayShowsWhereOtherModelsWouldHaveDecidedDifferently() throws Exception {
         String lamp = Path.of(System.getProperty("evoloop.root"), "models", "light-bulb.xml")
                 .toString();
         Tool same =
@@ -81,8 +81,8 @@ class JournalCommandTest {
         String[] json = Arrays.copyOf(replay, replay.length + 2);
         json[replay.length] = "--format";
         json[replay.length + 1] = "json";
-        JsonNode told = new ObjectMapper().readTree(Tool.run(json).out());
-        JsonNode difference = told.path("differences").get(0);
+        JsonNode parsed = new ObjectMapper().readTree(Tool.run(json).out());
+        JsonNode difference = parsed.path("differences").get(0);
         assertThat(difference.path("then").path("sent").get(0).asString()).isEqualTo("switch");
         assertThat(difference.path("now").path("after").path("new").asString()).isEqualTo("party");
 
@@ -118,7 +118,7 @@ class JournalCommandTest {
     }
 
     @Test
-    void aPropertyThatTheEventsBreakIsTheStatusAndIsToldWithItsEvent() throws IOException {
+    void aPropertyThatTheEventsBreakGivesTheStatusAndIsReportedWithItsEvent() throws IOException {
         Path beside = Files.writeString(
                 folder.resolve("other.properties.txt"),
                 "No party: never party\nIt ends: always (party implies eventually on)\nIt can end: always can on\n");
@@ -219,7 +219,7 @@ class JournalCommandTest {
     }
 
     @Test
-    void verifyTellsDamageFromSoundnessAndFromWhatIsNoJournal() throws Exception {
+    void verifyDistinguishesDamagedSoundAndForeignFiles() throws Exception {
         Tool sound = Tool.run("journal", "verify", directory());
         assertThat(sound.status()).isZero();
         assertThat(sound.out())
@@ -241,7 +241,7 @@ class JournalCommandTest {
         assertThat(Tool.run("journal", "export", copy.toString(), "--format", "sqlite", "--output", half.toString())
                         .status())
                 .isEqualTo(1);
-        assertThat(half).as("of a damaged journal nothing is left").doesNotExist();
+        assertThat(half).as("no output file is left for a damaged journal").doesNotExist();
         for (String format : new String[] {"json", "sqlite"}) {
             Path nowhere = folder.resolve("no/such/folder");
             Tool unwritten =

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** The plan of a swap on the command line, for the Roomba's evolutions. */
+/** The migration plan on the command line, for the Roomba's evolutions. */
 class MigrateCommandTest {
     private static final String ROOMBA =
             Path.of(System.getProperty("evoloop.root"), "models", "roomba.xml").toString();
@@ -59,7 +59,7 @@ class MigrateCommandTest {
     }
 
     @Test
-    void aSwapThatCannotBeIsToldByTheStatus() {
+    void anImpossibleSwapIsReportedByTheStatus() {
         Tool deaf = migrate(HOME, GUEST, "--sendable", "Dock", "--mapping", trap());
         assertThat(deaf.status()).isEqualTo(1);
         assertThat(deaf.out()).contains("IMPOSSIBLE, because the new model is in Off, but with the device in ");

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** What {@code check} tells of time. */
+/** What {@code check} reports about time. */
 class TimeCommandTest {
     private static final String KNOWN = """
             takes Spot 1 s .. 2 s
@@ -38,20 +38,20 @@ class TimeCommandTest {
     }
 
     @Test
-    void aPropertyThatHoldsIsToldWithItsTimes() throws IOException {
-        Tool told = check(KNOWN + "In time: Move never longer than 62 s\n");
+    void aPropertyThatHoldsIsReportedWithItsTimes() throws IOException {
+        Tool result = check(KNOWN + "In time: Move never longer than 62 s\n");
 
-        assertThat(told.err()).isEmpty();
-        assertThat(told.status()).isZero();
-        assertThat(told.out()).contains("time: 'In time' holds: 2 s at best, 62 s at worst\n");
+        assertThat(result.err()).isEmpty();
+        assertThat(result.status()).isZero();
+        assertThat(result.out()).contains("time: 'In time' holds: 2 s at best, 62 s at worst\n");
     }
 
     @Test
-    void aViolationIsToldWithTheShortestWayThere() throws IOException {
-        Tool told = check(KNOWN + "In time: Move never longer than 61 s\n");
+    void aViolationIsReportedWithTheShortestPath() throws IOException {
+        Tool result = check(KNOWN + "In time: Move never longer than 61 s\n");
 
-        assertThat(told.status()).isEqualTo(1);
-        assertThat(told.out())
+        assertThat(result.status()).isEqualTo(1);
+        assertThat(result.out())
                 .contains("error: property: 'In time' (" + directory.resolve("robot.properties.txt")
                         + ", line 4) does not hold")
                 .contains("  way:  at 0 s start -> (Off, Off); at 0 s Clean -> (On, On); at 3 s Spot -> (On, Move); "
@@ -60,14 +60,14 @@ class TimeCommandTest {
     }
 
     @Test
-    void programsAreToldTheSame() throws IOException {
-        JsonNode told = JsonMapper.shared()
+    void programsGetTheSame() throws IOException {
+        JsonNode result = JsonMapper.shared()
                 .readTree(check(KNOWN + "In time: Move never longer than 61 s\n", "--format", "json")
                         .out());
 
-        assertThat(told.get("times").get(0).get("worstNanos").asLong()).isEqualTo(62_000_000_000L);
+        assertThat(result.get("times").get(0).get("worstNanos").asLong()).isEqualTo(62_000_000_000L);
         JsonNode timed =
-                told.get("findings").get(told.get("findings").size() - 1).get("timed");
+                result.get("findings").get(result.get("findings").size() - 1).get("timed");
         assertThat(timed.get(3).get("what").asString()).isEqualTo("arriveSpot");
         assertThat(timed.get(3).get("atNanos").asLong()).isEqualTo(63_000_000_000L);
         assertThat(timed.get(3).get("sending").asString()).isEqualTo("Spot");
@@ -83,11 +83,11 @@ class TimeCommandTest {
 
     @Test
     void whatIsTooLargeIsRefusedWithTheFigure() throws IOException {
-        Tool told = check("takes Spot 1 ms .. 1 h\ntakes Clean 1 ms .. 1 h\nIn time: Move never longer than 1 h\n");
+        Tool result = check("takes Spot 1 ms .. 1 h\ntakes Clean 1 ms .. 1 h\nIn time: Move never longer than 1 h\n");
 
-        assertThat(told.status()).isEqualTo(2);
-        assertThat(told.out()).as("the other rules are judged").contains("swallowed-event");
-        assertThat(told.err())
+        assertThat(result.status()).isEqualTo(2);
+        assertThat(result.out()).as("the other rules are checked").contains("swallowed-event");
+        assertThat(result.err())
                 .hasLineCount(1)
                 .contains(
                         "line 3: 'In time' cannot be decided: there are more than ",

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Time triggers that have a number without a unit. */
+/** Time triggers with a number but no unit. */
 class TimeUnitTest {
     @TempDir
     private Path directory;

@@ -5,7 +5,7 @@ import java.io.StringWriter;
 import java.nio.file.Path;
 import picocli.CommandLine;
 
-/** The command line in this process, with what it says. */
+/** A command line run in this process, with its output. */
 public record Tool(int status, String out, String err) {
     /** The project's models. */
     public static final String ROBOT = Path.of(System.getProperty("evoloop.root"), "models", "cleaning-robot.xml")

@@ -24,7 +24,7 @@ record BypassTopics(String base) {
     }
 
     /** How many of those events the converter has received. */
-    String told() {
+    String received() {
         return base + "/told";
     }
 

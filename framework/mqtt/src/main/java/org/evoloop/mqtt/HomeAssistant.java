@@ -118,20 +118,20 @@ public final class HomeAssistant implements AutoCloseable {
                 controller::press,
                 converter.clock().nanoTime());
         errand = null;
-        if (goOn(begun)) {
+        if (proceed(begun)) {
             errand = begun;
         }
     }
 
-    private boolean goOn(Errand begun) {
+    private boolean proceed(Errand begun) {
         return begun.step(
                 converter.status().states().evolved(), converter.clock().nanoTime());
     }
 
-    private void goOn() {
+    private void proceed() {
         Errand begun = errand;
         if (begun != null) {
-            obey(payload -> errand = goOn(begun) ? begun : null, "errand");
+            obey(payload -> errand = proceed(begun) ? begun : null, "errand");
         }
     }
 
@@ -242,7 +242,7 @@ public final class HomeAssistant implements AutoCloseable {
         try {
             while (!Thread.currentThread().isInterrupted()) {
                 show();
-                goOn();
+                proceed();
                 Runnable next = inbox.poll(LOOK_MILLIS, TimeUnit.MILLISECONDS);
                 for (; next != null; next = inbox.poll()) {
                     next.run();

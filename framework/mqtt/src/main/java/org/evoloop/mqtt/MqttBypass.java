@@ -53,7 +53,7 @@ public final class MqttBypass implements AutoCloseable {
         connection.onLost(this::lost);
         connection.subscribe(topics.converter(), this::hearOfConverter);
         connection.subscribe(topics.passed(), this::resume);
-        connection.subscribe(topics.told(), this::hearTold);
+        connection.subscribe(topics.received(), this::hearReceived);
         this.fence = new Fence(connection, topics.own(), this::say);
     }
 
@@ -106,7 +106,7 @@ public final class MqttBypass implements AutoCloseable {
         }
     }
 
-    private synchronized void hearTold(Message message) {
+    private synchronized void hearReceived(Message message) {
         if (!passed.isEmpty() && message.payload().equals(Integer.toString(passed.size()))) {
             passed.clear();
             connection.publish(Message.state(topics.passed(), ""));

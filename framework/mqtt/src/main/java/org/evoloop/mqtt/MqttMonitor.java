@@ -35,7 +35,7 @@ public class MqttMonitor extends PushMonitor {
     private @Nullable Fence fence;
 
     /** How many of the events that a bypass has passed on have been reported to the converter. */
-    private int told;
+    private int received;
 
     /** @param name its name in the console, unique within a converter */
     public MqttMonitor(String name, BrokerConnection connection) {
@@ -77,7 +77,7 @@ public class MqttMonitor extends PushMonitor {
         BypassTopics topics = new BypassTopics(topic);
         connection.subscribe(topics.passed(), message -> {
             hearPassed(message);
-            connection.publish(Message.event(topics.told(), Integer.toString(told)));
+            connection.publish(Message.event(topics.received(), Integer.toString(received)));
         });
         fence = new Fence(connection, topics.converter(), () -> {});
         return this;
@@ -85,10 +85,10 @@ public class MqttMonitor extends PushMonitor {
 
     private void hearPassed(Message message) {
         List<String> passed = BypassTopics.events(message);
-        for (String event : passed.subList(Math.min(told, passed.size()), passed.size())) {
+        for (String event : passed.subList(Math.min(received, passed.size()), passed.size())) {
             push(fromPanel(event, true));
         }
-        told = passed.size();
+        received = passed.size();
     }
 
     private MqttMonitor on(String topic, Map<String, String> events, Consumer<String> heard) {

@@ -38,21 +38,21 @@ class BrokerAddressTest {
     @Test
     void thePasswordComesFromTheEnvironmentOrAFile() throws Exception {
         Map<String, String> environment = Map.of("EVOLOOP_MQTT_PASSWORD", "s3cret");
-        assertThat(told(environment, "--mqtt", "mqtt://ha@b").password()).isEqualTo("s3cret");
-        assertThat(told(environment, "--mqtt", "mqtt://b").password()).isNull();
+        assertThat(address(environment, "--mqtt", "mqtt://ha@b").password()).isEqualTo("s3cret");
+        assertThat(address(environment, "--mqtt", "mqtt://b").password()).isNull();
         Path file = Files.writeString(directory.resolve("password"), "other\n");
-        assertThat(told(environment, "--mqtt", "mqtt://ha@b", "--mqtt-password-file", file.toString())
+        assertThat(address(environment, "--mqtt", "mqtt://ha@b", "--mqtt-password-file", file.toString())
                         .password())
                 .isEqualTo("other");
-        assertThat(told(environment, "--mqtt", "mqtt://ha@b").toString()).doesNotContain("s3cret");
-        assertThatThrownBy(() -> told(environment, "--mqtt", "mqtt://b", "--mqtt-password-file", file.toString()))
+        assertThat(address(environment, "--mqtt", "mqtt://ha@b").toString()).doesNotContain("s3cret");
+        assertThatThrownBy(() -> address(environment, "--mqtt", "mqtt://b", "--mqtt-password-file", file.toString()))
                 .hasMessageContaining("mqtt://USER@HOST");
         assertThatThrownBy(() -> BrokerAddress.parse("mqtt://b").withPassword("s3cret"))
                 .hasMessageContaining("mqtt://USER@HOST")
                 .hasMessageNotContaining("s3cret");
     }
 
-    private static BrokerAddress told(Map<String, String> environment, String... arguments) {
+    private static BrokerAddress address(Map<String, String> environment, String... arguments) {
         return MqttOptions.broker(MqttOptions.OPTIONS.read(List.of(arguments), environment))
                 .orElseThrow();
     }
@@ -60,7 +60,7 @@ class BrokerAddressTest {
     @Test
     void certificatesLieBesideTheFileThatNamesThem() throws Exception {
         Path file = Files.writeString(directory.resolve("lamp.yaml"), "mqtt: mqtts://b?ca=gone.pem&id=hall\n");
-        assertThatThrownBy(() -> told(Map.of(), "--config", file.toString()))
+        assertThatThrownBy(() -> address(Map.of(), "--config", file.toString()))
                 .hasMessageContaining(directory.resolve("gone.pem").toString());
     }
 

@@ -54,7 +54,7 @@ class BrokerConnectionTest {
     }
 
     @Test
-    void eventsOfAnOutageAreToldAfterwardsAndCommandsAreNot() throws Exception {
+    void eventsOfAnOutageAreReportedAfterwardsAndCommandsAreNot() throws Exception {
         try (Mosquitto broker = new Mosquitto(directory);
                 BrokerConnection connection = connection(broker.url())) {
             connection.open();
@@ -77,7 +77,7 @@ class BrokerConnectionTest {
     }
 
     @Test
-    void theWillTellsThatAClientIsGone() throws Exception {
+    void theWillReportsThatAClientIsGone() throws Exception {
         try (Mosquitto broker = new Mosquitto(directory).start();
                 Watcher watcher = new Watcher(broker);
                 BrokerConnection connection = connection(broker.url())) {
@@ -141,7 +141,7 @@ class BrokerConnectionTest {
         assertThat(trouble(own, own.certificate())).isEmpty();
     }
 
-    /** What is wrong with a broker that shows one certificate, for a client that trusts another. */
+    /** The error for a broker that presents one certificate if the client trusts another. */
     private String trouble(Certificate shown, Path trusted) {
         try (Mosquitto broker = new Mosquitto(directory)
                         .with("user root", "certfile " + shown.certificate(), "keyfile " + shown.key())
@@ -199,7 +199,7 @@ class BrokerConnectionTest {
     }
 
     @Test
-    void aConsumerThatThrowsDeafensNobodyAndIsLoggedOnce() throws Exception {
+    void aConsumerThatThrowsDoesNotAffectOthersAndIsLoggedOnce() throws Exception {
         List<String> heard = new CopyOnWriteArrayList<>();
         try (Mosquitto broker = new Mosquitto(directory).start();
                 Watcher watcher = new Watcher(broker);
@@ -221,7 +221,7 @@ class BrokerConnectionTest {
     }
 
     @Test
-    void aBrokerThatIsNotThereHoldsUpNobody() {
+    void aMissingBrokerDelaysNothing() {
         try (BrokerConnection connection = connection("mqtt://127.0.0.1:1")) {
             connection.open();
             connection.publish(Message.state("a", "b"));

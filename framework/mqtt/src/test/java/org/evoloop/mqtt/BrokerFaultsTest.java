@@ -17,11 +17,11 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What is wrong with Debian's Mosquitto is said once, tried again, and no retained state is lost once it is mended. */
+/** Faults of Debian's Mosquitto are reported once, connecting is retried, and no retained state is lost afterwards. */
 class BrokerFaultsTest {
     private static final Duration LIMIT = Duration.ofSeconds(60);
 
-    /** The fixture's own look whether the broker listens may leave a sign of one, too. */
+    /** The fixture's own check whether the broker listens may leave a trace in the log, too. */
     private static final int TRIES = 4;
 
     @TempDir
@@ -38,14 +38,14 @@ class BrokerFaultsTest {
         return BrokerAddress.parse("mqtt://ha@127.0.0.1:" + broker.port());
     }
 
-    private static BrokerConnection telling(BrokerAddress address) {
+    private static BrokerConnection reporting(BrokerAddress address) {
         BrokerConnection connection = new BrokerConnection(address, "telling");
         connection.publish(Message.state("lamp/state", "on"));
         connection.open();
         return connection;
     }
 
-    /** What is retained on topics, by topic, as far as it has come. */
+    /** The retained messages received so far, by topic. */
     private static Map<String, String> retained(BrokerConnection asking, String... topics) {
         Map<String, String> found = new ConcurrentHashMap<>();
         for (String topic : topics) {
@@ -59,7 +59,7 @@ class BrokerFaultsTest {
         return found;
     }
 
-    /** Pauses grow from 250 ms, so that few tries take seconds. */
+    /** Pauses start at 250 ms and grow, so a few tries take seconds. */
     private static void awaitTries(Mosquitto broker, String sign) {
         await().atMost(LIMIT).until(() -> broker.logged(sign) >= TRIES);
     }
@@ -79,7 +79,7 @@ class BrokerFaultsTest {
         try (Mosquitto broker = new Mosquitto(directory)
                         .with("user root", "allow_anonymous false", "password_file " + passwords)
                         .start();
-                BrokerConnection connection = telling(address(broker).withPassword("right"))) {
+                BrokerConnection connection = reporting(address(broker).withPassword("right"))) {
             awaitTries(broker, "not authori");
             assertThat(logged.lines()).hasSize(1).allMatch(line -> line.contains("refuses the login of user ha"));
             connection.publish(Message.state("lamp/power", "5"));
@@ -114,7 +114,7 @@ class BrokerFaultsTest {
                 .with("user root", "certfile " + shown.certificate(), "keyfile " + shown.key())
                 .start()) {
             BrokerAddress address = BrokerAddress.parse("mqtts://127.0.0.1:" + broker.port() + "?ca=" + trusted);
-            try (BrokerConnection connection = telling(address)) {
+            try (BrokerConnection connection = reporting(address)) {
                 awaitTries(broker, "OpenSSL Error");
                 assertThat(logged.lines()).hasSize(1).allMatch(line -> line.contains("is not trusted"));
                 connection.publish(Message.state("lamp/power", "5"));
@@ -140,8 +140,8 @@ class BrokerFaultsTest {
     }
 
     /**
-     * Mosquitto accepts what it cannot write any more, and tells its log only. What it leaves behind it may refuse to read: it
-     * starts again when that is gone.
+     * Mosquitto accepts messages that it can no longer write, and only logs the error. It may refuse to read the
+     * incomplete file; without that file it starts again.
      */
     @Test
     void aDiskThatIsFull() throws Exception {
@@ -155,7 +155,7 @@ class BrokerFaultsTest {
                                 "autosave_interval 1")
                         .withFilesOfAtMost(8)
                         .start();
-                BrokerConnection connection = telling(address(broker))) {
+                BrokerConnection connection = reporting(address(broker))) {
             await().atMost(LIMIT).until(connection::isUp);
             String large = "x".repeat(4_000);
             for (int number = 1; number <= 5; number++) {

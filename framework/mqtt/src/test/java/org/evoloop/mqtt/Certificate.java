@@ -8,7 +8,7 @@ import java.util.Base64;
 import java.util.concurrent.TimeUnit;
 
 /**
- * A certificate that signs itself, made with the JDK's keytool.
+ * A self-signed certificate, made with the JDK's keytool.
  *
  * @param certificate in PEM
  * @param key in PEM

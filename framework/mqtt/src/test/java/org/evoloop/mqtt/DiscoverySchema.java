@@ -11,8 +11,8 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * What Home Assistant 2026.11 demands of a device's discovery payload (its integration "mqtt": {@code schemas.py} and
- * the platforms' own), as far as it concerns what is published here. The real one is asked by {@code ./evoloop test
+ * What Home Assistant 2026.11 requires of a device's discovery payload (its integration "mqtt": {@code schemas.py} and
+ * the platforms' own), as far as it applies to what is published here. The real one is tested by {@code ./evoloop test
  * --home-assistant}.
  */
 final class DiscoverySchema {
@@ -54,7 +54,7 @@ final class DiscoverySchema {
     /**
      * Checks a payload.
      *
-     * @param published the newest of the topics that templates read from
+     * @param published the newest messages on the topics that templates read
      */
     static void check(String payload, Map<String, String> published) {
         JsonNode config = JsonMapper.shared().readTree(payload);

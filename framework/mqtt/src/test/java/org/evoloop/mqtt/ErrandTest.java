@@ -20,7 +20,7 @@ class ErrandTest {
         return new Errand(robot, Set.of("Clean", "Spot"), new State(goal), pressed::add, 0);
     }
 
-    /** Lets the model follow each press at once, and waits for nobody. */
+    /** Makes the model follow each press at once, without waiting. */
     private State follow(Errand errand, String from) {
         State now = new State(from);
         int seen = 0;

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A lamp's converter at Debian's Mosquitto, operated as Home Assistant does it. */
+/** A lamp's converter on Debian's Mosquitto, operated as by Home Assistant. */
 class HomeAssistantTest {
     private static final Duration LIMIT = Duration.ofSeconds(20);
     private static final String STATE = "evoloop/lamp/state";
@@ -213,7 +213,7 @@ class HomeAssistantTest {
     }
 
     @Test
-    void everythingIsToldAgainWhenHomeAssistantHasStarted() throws Exception {
+    void everythingIsPublishedAgainWhenHomeAssistantHasStarted() throws Exception {
         watcher.awaitNewest(STATE, "device_state");
         long before = count(CONFIG);
         watcher.publish("homeassistant/status", "offline", false);
@@ -228,7 +228,7 @@ class HomeAssistantTest {
     }
 
     @Test
-    void whoEndsIsUnavailable() {
+    void aConverterThatEndsIsUnavailable() {
         watcher.awaitNewest("evoloop/lamp/availability", "online");
         home.close();
         watcher.awaitNewest("evoloop/lamp/availability", "offline");

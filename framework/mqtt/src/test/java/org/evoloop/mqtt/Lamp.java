@@ -17,7 +17,7 @@ import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.ManualClock;
 
-/** The light bulb's converter, with a link that can be cut. */
+/** The light bulb's converter, with a link that can be interrupted. */
 final class Lamp implements DeviceLink, AutoCloseable {
     final PushMonitor wallSwitch = new PushMonitor("WallSwitch");
     final ManualClock clock = new ManualClock();
@@ -43,14 +43,14 @@ final class Lamp implements DeviceLink, AutoCloseable {
                 visit -> visit.progress("warming up", List.of(Reading.of("warm", 40, "%"))));
     }
 
-    /** The new model, or one that has the lamp go off at once. */
+    /** The new model, or one in which the lamp goes off at once. */
     StateMachine model(String reference) {
         return reference.endsWith("#new")
                 ? PaperModels.lightBulb().evolved()
                 : Machines.machine("plain", "off switch -> on", "on switch -> off");
     }
 
-    /** Has the lamp go off at once beside the one that waits. */
+    /** Starts a shadow whose lamp goes off at once. */
     void shadow() {
         ModelPair running = converter.knowledge().models();
         StateMachine plain = model("lamp.xml#plain");

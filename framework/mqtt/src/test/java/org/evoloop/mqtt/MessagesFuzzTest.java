@@ -21,8 +21,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Whatever anybody at the broker publishes where a converter, its bypass and Home Assistant's commands are listened for: each
- * of the three still hears the next message. The broker is Mosquitto.
+ * Whatever is published on the topics of a converter, its bypass and Home Assistant's commands, each of the three still
+ * receives the next message. The broker is Mosquitto.
  */
 @Timeout(60)
 class MessagesFuzzTest {
@@ -42,7 +42,7 @@ class MessagesFuzzTest {
             BYPASS + "/converter",
             BYPASS + "/own");
 
-    /** One set of parts for all: what one message leaves behind, the next would find. */
+    /** Shared by all inputs, so that anything that one message leaves behind affects the next. */
     private static final class Parts {
         private static final Parts PARTS = new Parts();
 
@@ -66,7 +66,7 @@ class MessagesFuzzTest {
 
                             @Override
                             public void perform(Command command) {
-                                // A vacuum that does as it is told.
+                                // A vacuum that obeys every command.
                             }
                         })
                         .choice(new Choice("Model", List.of("day", "night"), () -> "day", wanted -> {}))
@@ -142,7 +142,7 @@ class MessagesFuzzTest {
     /** @param bytes the first one chooses the topic, and whether the message is retained; the rest is the payload */
     @MethodSource("seeds")
     @FuzzTest
-    void aMessageOfAnyBytesDeafensNobody(byte[] bytes) throws Exception {
+    void aMessageOfAnyBytesDoesNotPreventLaterOnes(byte[] bytes) throws Exception {
         if (bytes.length == 0) {
             return;
         }

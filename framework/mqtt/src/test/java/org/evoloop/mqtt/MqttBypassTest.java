@@ -58,7 +58,7 @@ class MqttBypassTest {
         broker.close();
     }
 
-    /** A converter; what it says. */
+    /** A converter's process, and its output. */
     private final class Converter {
         final List<String> said = new CopyOnWriteArrayList<>();
         final Process process;
@@ -77,7 +77,7 @@ class MqttBypassTest {
             try (BufferedReader lines = process.inputReader(StandardCharsets.UTF_8)) {
                 lines.lines().forEach(said::add);
             } catch (IOException | java.io.UncheckedIOException killed) {
-                // There is no more.
+                // It has ended.
             }
         }
 
@@ -100,7 +100,7 @@ class MqttBypassTest {
         return button;
     }
 
-    /** Who has dealt with a button: how the converter carries it out is its own affair. */
+    /** Which of the two has processed a button's event. */
     private List<String> dealtWith(String button) {
         List<String> by = new ArrayList<>();
         passed().stream().filter(button::equals).forEach(each -> by.add("passed"));
@@ -111,7 +111,7 @@ class MqttBypassTest {
         return by;
     }
 
-    /** Presses a button and waits until it is dealt with; by whom. */
+    /** Presses a button and waits until it is processed; returns by which of the two. */
     private String answered() throws Exception {
         String button = press();
         await().atMost(LIMIT)
@@ -146,7 +146,7 @@ class MqttBypassTest {
                 }
             }
             converter.connect();
-            // Each event is dealt with by one of the two, while one takes over from the other.
+            // Each event is processed by exactly one of the two while one takes over from the other.
             int converted = 0;
             while (converted < 5) {
                 converted = answered().equals("converted") ? converted + 1 : 0;
@@ -156,7 +156,7 @@ class MqttBypassTest {
             List<String> ofOutage = all.subList(ofBefore, all.size());
             await().atMost(LIMIT)
                     .untilAsserted(() -> assertThat(converter.facts())
-                            .as("what was passed on comes first")
+                            .as("the events that were passed on come first")
                             .containsExactlyElementsOf(ofOutage));
             for (int press = 0; press < 20; press++) {
                 press();
@@ -172,7 +172,7 @@ class MqttBypassTest {
     }
 
     @Test
-    void whoEndsIsBypassedAndABypassThatWasAwayGoesOn() throws Exception {
+    void aConverterThatEndsIsBypassedAndABypassThatWasAwayContinues() throws Exception {
         await().atMost(LIMIT).until(bypass::isPassing);
         assertThat(answered()).isEqualTo("passed");
         bypass.close();

@@ -17,7 +17,7 @@ import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A switch and a lamp that speak MQTT, and a converter between. */
+/** A switch and a lamp that use MQTT, with a converter between them. */
 class MqttPartsTest {
     @TempDir
     private Path directory;

@@ -84,7 +84,7 @@ class OutboxTest {
     }
 
     @Test
-    void whoWaitsForNothingLearnsThatItIsNotWorthIt() throws Exception {
+    void takeReturnsNullWhenWaitingIsPointless() throws Exception {
         assertThat(outbox.take(() -> false)).isNull();
     }
 }

@@ -17,7 +17,7 @@ import org.evoloop.time.SystemClock;
 
 /**
  * The converter of a device that any of many buttons switches between two states, in a process of its own. It connects
- * when it is told a line, and says how each event ended.
+ * when it reads a line, and prints how each event ended.
  */
 final class RingProgram {
     static final int BUTTONS = 300;
@@ -30,7 +30,7 @@ final class RingProgram {
         return IntStream.range(0, BUTTONS).mapToObj(number -> "p" + number).collect(Collectors.toMap(p -> p, p -> p));
     }
 
-    /** @param by who sends it */
+    /** @param by the sender */
     static Map<String, Message> messages(String by) {
         return events().keySet().stream()
                 .collect(Collectors.toMap(p -> p, p -> Message.command("ring/set", p + " " + by)));

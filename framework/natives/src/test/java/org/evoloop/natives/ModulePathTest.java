@@ -12,13 +12,13 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 
-/** A module hides its files from others, and native libraries are among them. */
+/** Modules hide their resources, such as native libraries, from each other. */
 @EnabledOnOs(OS.LINUX)
 @Timeout(60)
 class ModulePathTest {
     private static final String MODULE = "org.evoloop.natives";
 
-    /** Loads both, as a module. */
+    /** Loads both libraries, as a module. */
     static final class Program {
         public static void main(String[] arguments) throws Exception {
             NativeLibraries.loadSerial();

@@ -64,7 +64,7 @@ class PtyTest {
             }
             assertThat(pty.clientPresent()).isFalse();
             assertThat(pty.read(new byte[1], 0))
-                    .as("what it wrote before it left")
+                    .as("what the client wrote before it closed")
                     .isEqualTo(1);
             assertThat(pty.read(new byte[1], 0)).isEqualTo(Pty.NO_CLIENT);
         }
@@ -143,7 +143,7 @@ class PtyTest {
                 assertThat(Files.readSymbolicLink(link)).isEqualTo(second.slavePath());
                 first.hangUp();
                 assertThat(Files.readSymbolicLink(link))
-                        .as("the first leaves the second's alone")
+                        .as("the first does not remove the second's link")
                         .isEqualTo(second.slavePath());
             }
             assertThat(Files.exists(link, LinkOption.NOFOLLOW_LINKS)).isFalse();

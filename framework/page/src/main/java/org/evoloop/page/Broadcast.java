@@ -46,12 +46,12 @@ final class Broadcast {
     record Update(long number, String status, String readings, long last, List<HistoryEntry> events) {
         /** The update as JSON for the page. */
         String json() {
-            List<String> told = new ArrayList<>();
+            List<String> entries = new ArrayList<>();
             for (HistoryEntry event : events) {
-                told.add(EntryJson.of(event).toString());
+                entries.add(EntryJson.of(event).toString());
             }
             return "{\"status\":" + status + ",\"readings\":" + readings + ",\"last\":" + last + ",\"events\":["
-                    + String.join(",", told) + "]}";
+                    + String.join(",", entries) + "]}";
         }
     }
 
@@ -69,27 +69,27 @@ final class Broadcast {
     private final ConverterListener listener = new ConverterListener() {
         @Override
         public void ended(HistoryEntry entry) {
-            tell(entry);
+            update(entry);
         }
 
         @Override
         public void moved(Configuration before, Configuration after) {
-            tell(null);
+            update(null);
         }
 
         @Override
         public void failed(Failure<Occurrence> failure) {
-            tell(null);
+            update(null);
         }
 
         @Override
         public void doubted(String why) {
-            tell(null);
+            update(null);
         }
 
         @Override
         public void evolved(Evolution.Result result) {
-            tell(null);
+            update(null);
         }
     };
 
@@ -99,7 +99,7 @@ final class Broadcast {
         this.clock = clock;
     }
 
-    private synchronized void tell(@Nullable HistoryEntry entry) {
+    private synchronized void update(@Nullable HistoryEntry entry) {
         if (entry != null) {
             recent.add(entry);
             last = entry.number();

@@ -101,7 +101,7 @@ class BrowserTest {
     }
 
     @Test
-    void nothingIsAskedOfAnybodyElseAndNothingIsComplainedAbout() {
+    void noOtherHostIsRequestedAndNoErrorIsLogged() {
         shown.converter.start();
         browser.open(shown.address() + "/");
         lit("Off", "Off");
@@ -109,7 +109,7 @@ class BrowserTest {
         assertThat(browser.requests)
                 .isNotEmpty()
                 .allMatch(url -> url.replaceFirst("^blob:", "").startsWith(shown.address()));
-        // That nobody has shown the token yet is an answer of 401.
+        // Without the token the answer is 401, which the browser logs.
         assertThat(browser.complaints).noneMatch(complaint -> !complaint.contains("/controls"));
     }
 
@@ -141,7 +141,7 @@ class BrowserTest {
                           canvas.drawImage(document.querySelector('#pictures img'), 0, 0);
                           return String(canvas.getImageData(9, 9, 1, 1).data);
                         })()"""))
-                .as("in the colours of its own style sheet")
+                .as("in the colours of the picture's own style sheet")
                 .isEqualTo("136,136,136,255");
 
         seen.set(new Picture.View(jpeg(96), ""));
@@ -150,7 +150,7 @@ class BrowserTest {
     }
 
     @Test
-    void aPrivatePictureIsShownOnlyToWhoeverHasTheToken() throws Exception {
+    void aPrivatePictureIsShownOnlyWithTheToken() throws Exception {
         String camera = "document.querySelectorAll('#pictures figure')[1]";
         seen.set(new Picture.View(jpeg(80), "Taken 0.3 s ago."));
         browser.open(shown.address() + "/");
@@ -160,7 +160,7 @@ class BrowserTest {
                 .isEqualTo("none");
         assertThat(browser.evaluate("fetch('/picture?number=1').then(answer => answer.status)"))
                 .isEqualTo("401");
-        assertThat(asked).as("made for nobody").hasValue(0);
+        assertThat(asked).as("not made without a login").hasValue(0);
 
         browser.evaluate("document.getElementById('token').value = '" + shown.token + "'");
         click("Allow me to control");
@@ -191,7 +191,7 @@ class BrowserTest {
     }
 
     @Test
-    void whoHasTheTokenControls() {
+    void theTokenAllowsControl() {
         browser.open(shown.address() + "/");
         lit("Off", "Off");
         assertThat(browser.evaluate("document.getElementById('buttons').hidden"))
@@ -204,7 +204,9 @@ class BrowserTest {
         browser.open(shown.address() + "/#token=" + shown.token);
         browser.await("document.readyState === 'complete' && !document.getElementById('buttons').hidden");
         assertThat(browser.evaluate("location.href")).doesNotContain(shown.token);
-        assertThat(browser.evaluate("document.cookie")).as("no script reads it").isEmpty();
+        assertThat(browser.evaluate("document.cookie"))
+                .as("not readable by scripts")
+                .isEmpty();
         click("press Clean");
         browser.await("document.getElementById('answer').className === 'bad'");
         click("start");
@@ -262,7 +264,7 @@ class BrowserTest {
         lit("Off", "Off");
         shown.panel.press("arriveSpot");
         browser.await("document.getElementById('position').max === '1'");
-        // Either may come to its end first.
+        // Either may end first.
         assertThat(browser.evaluate("""
                         ['0', '1'].map(number => {
                           const position = document.getElementById('position');

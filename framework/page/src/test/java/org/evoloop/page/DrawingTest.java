@@ -80,7 +80,7 @@ class DrawingTest {
     }
 
     @Test
-    void namesAreTextWhateverTheyAre() throws Exception {
+    void namesAreAlwaysShownAsText() throws Exception {
         StateMachine odd = StateMachine.named("odd")
                 .initial("<script>\"&'")
                 .transition("<script>\"&'", "a\u0001b", "<script>\"&'")

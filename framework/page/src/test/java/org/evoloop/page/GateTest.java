@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Who may look and who may do something, byte for byte: a browser sets these headers, an attacker's page cannot. */
+/** Who may view and who may operate, byte by byte: a browser sets these headers, which an attacker's page cannot. */
 class GateTest {
     private Shown shown;
     private String cookie = "";
@@ -45,13 +45,13 @@ class GateTest {
     }
 
     private void admit() throws IOException {
-        String told = ask("POST", "/session", shown.token, "Host: " + own(), "Origin: http://" + own());
-        assertThat(told).startsWith("HTTP/1.1 200").contains("HttpOnly; SameSite=Strict");
-        cookie = told.replaceFirst("(?s).*Set-cookie: ([^;]+);.*", "Cookie: $1");
+        String answer = ask("POST", "/session", shown.token, "Host: " + own(), "Origin: http://" + own());
+        assertThat(answer).startsWith("HTTP/1.1 200").contains("HttpOnly; SameSite=Strict");
+        cookie = answer.replaceFirst("(?s).*Set-cookie: ([^;]+);.*", "Cookie: $1");
     }
 
     @Test
-    void whoShowsTheTokenGetsACookieThatLetsHimControl() throws IOException {
+    void theTokenGivesACookieThatAllowsControl() throws IOException {
         admit();
         assertThat(ask("POST", "/command", "start", "Host: " + own(), "Origin: http://" + own(), cookie))
                 .startsWith("HTTP/1.1 200")
@@ -110,7 +110,7 @@ class GateTest {
     }
 
     @Test
-    void aNameOfSomebodyElseThatLeadsHereIsTurnedAway() throws IOException {
+    void aForeignHostNameThatLeadsHereIsRefused() throws IOException {
         for (String path : new String[] {"/", "/about", "/events", "/history"}) {
             assertThat(ask("GET", path, "", "Host: evil.example")).as(path).startsWith("HTTP/1.1 403");
         }

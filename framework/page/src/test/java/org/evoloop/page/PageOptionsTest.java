@@ -29,7 +29,7 @@ class PageOptionsTest {
     }
 
     @Test
-    void aProgramIsToldWhereItsPageIs() {
+    void aProgramIsGivenTheAddressOfItsPage() {
         Settings settings = PageOptions.OPTIONS.read(List.of("--page", "8080"), Map.of());
         assertThat(PageOptions.of(settings).port()).isEqualTo(8080);
         assertThat(PageOptions.of(PageOptions.OPTIONS.read(List.of(), Map.of())).isOn())

@@ -29,7 +29,7 @@ import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.SystemClock;
 
-/** The paper's cleaning robot, without a robot, and its page. */
+/** The converter of the paper's cleaning robot, without a robot, and its page. */
 final class Shown implements AutoCloseable {
     private final SystemClock clock = new SystemClock();
     final PushMonitor panel = new PushMonitor("Panel");
@@ -78,9 +78,10 @@ final class Shown implements AutoCloseable {
                 ConsoleCommand.of("press BUTTON", "presses a button", (words, out) -> panel.press(words.get(0)))
                         .completing(before -> before.isEmpty() ? List.of("Clean", "Spot") : List.of()));
         console.addCommand(ConsoleCommand.of("robot COMMAND [X]", "is no button", (words, out) -> out.println("no")));
-        ByteArrayOutputStream told = new ByteArrayOutputStream();
-        page = Page.open(PageOptions.at("0"), console, new PrintStream(told, true, StandardCharsets.UTF_8), pictures);
-        token = told.toString(StandardCharsets.UTF_8).replaceFirst("(?s).*#token=(\\S+).*", "$1");
+        ByteArrayOutputStream printed = new ByteArrayOutputStream();
+        page = Page.open(
+                PageOptions.at("0"), console, new PrintStream(printed, true, StandardCharsets.UTF_8), pictures);
+        token = printed.toString(StandardCharsets.UTF_8).replaceFirst("(?s).*#token=(\\S+).*", "$1");
     }
 
     private static final class Robot extends StateKnowledge {
@@ -104,7 +105,7 @@ final class Shown implements AutoCloseable {
                 .withProbation(Probation.NONE.watchedBy(others.watches("hasty", hasty))));
     }
 
-    /** A robot that may be called off on its way. */
+    /** Models in which Spot interrupts Move. */
     private static final class Others implements NewModels {
         @Override
         public StateMachine read(String reference) {

@@ -19,9 +19,9 @@ import org.junit.jupiter.api.Test;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** Who looks: well, slowly, never, or no longer. */
+/** Viewers that read well, slowly, never, or no longer. */
 class ViewersTest {
-    /** Of the older version, whose answer comes as it is and not in chunks. */
+    /** HTTP/1.0, so that the answer is not chunked. */
     private static final String REQUEST = "GET /events HTTP/1.0\r\nHost: localhost\r\n\r\n";
 
     private static final Duration LIMIT = Duration.ofSeconds(30);
@@ -47,7 +47,7 @@ class ViewersTest {
             while (line != null && !line.startsWith("data: ")) {
                 line = lines.readLine();
             }
-            assertThat(line).as("the stream goes on").isNotNull();
+            assertThat(line).as("the stream continues").isNotNull();
             return new JsonMapper().readTree(line.substring("data: ".length()));
         }
 
@@ -89,7 +89,7 @@ class ViewersTest {
     }
 
     @Test
-    void allAreToldOfAnEventAndWhy() throws IOException {
+    void allListenersAreNotifiedOfAnEventAndTheReason() throws IOException {
         List<Viewer> five = new ArrayList<>();
         for (int i = 0; i < 5; i++) {
             five.add(look());
@@ -99,19 +99,19 @@ class ViewersTest {
         }
         shown.panel.press("Clean");
         for (Viewer viewer : five) {
-            JsonNode told = viewer.next();
-            while (told.path("events").isEmpty()) {
-                told = viewer.next();
+            JsonNode update = viewer.next();
+            while (update.path("events").isEmpty()) {
+                update = viewer.next();
             }
-            assertThat(told.at("/events/0/decision/kind").asString()).isEqualTo("existing-function");
-            assertThat(told.at("/events/0/decision/steps/0/sends").asString()).isEqualTo("Clean");
-            assertThat(told.at("/status/newState").asString()).isEqualTo("On");
-            assertThat(told.path("last").asLong()).isEqualTo(1);
+            assertThat(update.at("/events/0/decision/kind").asString()).isEqualTo("existing-function");
+            assertThat(update.at("/events/0/decision/steps/0/sends").asString()).isEqualTo("Clean");
+            assertThat(update.at("/status/newState").asString()).isEqualTo("On");
+            assertThat(update.path("last").asLong()).isEqualTo(1);
         }
     }
 
     @Test
-    void nobodyWhoLooksLeavesNothingBehind() throws IOException {
+    void viewersThatLeaveLeaveNothingBehind() throws IOException {
         assertThat(threads()).isEmpty();
         look().next();
         assertThat(threads()).isNotEmpty();
@@ -142,16 +142,16 @@ class ViewersTest {
             try {
                 half.add(ask("GET /about HTTP/1.1\r\nHost: loc"));
             } catch (SocketException hungUp) {
-                // As it should be.
+                // As expected.
             }
         }
         int most = PageServer.MOST_VIEWERS + PageServer.MOST_REQUESTS;
         assertThat(threads().size()).isLessThanOrEqualTo(most + 1);
         for (Viewer viewer : half) {
             try {
-                assertThat(viewer.lines.read()).as("hung up on").isNegative();
+                assertThat(viewer.lines.read()).as("the connection is closed").isNegative();
             } catch (SocketException hungUp) {
-                // That, too.
+                // Closed, too.
             }
         }
         assertThat(ask("GET /about HTTP/1.1\r\nHost: localhost\r\n\r\n").lines.readLine())
@@ -164,7 +164,7 @@ class ViewersTest {
 
     @Test
     @Tag("slow")
-    void whoTakesNothingIsHungUpOnAndTheOthersAreTold() throws Exception {
+    void aViewerThatReadsNothingIsClosedAndTheOthersAreNotified() throws Exception {
         look();
         Viewer quick = look();
         quick.next();
@@ -177,7 +177,7 @@ class ViewersTest {
         presser.setDaemon(true);
         presser.start();
         try {
-            // The other's buffers fill, and then it has ten seconds.
+            // The other viewer's buffers fill up; then it has ten seconds.
             Awaitility.await().atMost(Duration.ofMinutes(2)).until(() -> {
                 quick.next();
                 return served() == 1;

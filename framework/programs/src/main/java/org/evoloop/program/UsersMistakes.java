@@ -24,7 +24,7 @@ public final class UsersMistakes {
      * @param mendable whether a command's failure is a mistake that its user can fix
      * @return the same command line
      */
-    public static CommandLine toldBy(CommandLine commandLine, Predicate<Exception> mendable) {
+    public static CommandLine reportedBy(CommandLine commandLine, Predicate<Exception> mendable) {
         return commandLine
                 .setParameterExceptionHandler((mistake, given) -> {
                     CommandLine command = mistake.getCommandLine();

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import picocli.CommandLine;
 
 class UsersMistakesTest {
-    private final StringWriter told = new StringWriter();
+    private final StringWriter err = new StringWriter();
 
     @CommandLine.Command(name = "lamp")
     private record Failing(Exception failure) implements Callable<Integer> {
@@ -28,15 +28,15 @@ class UsersMistakesTest {
     }
 
     private int run(Exception failure, String... arguments) {
-        CommandLine commandLine = new CommandLine(new Failing(failure)).setErr(new PrintWriter(told, true));
-        return UsersMistakes.toldBy(commandLine, IllegalArgumentException.class::isInstance)
+        CommandLine commandLine = new CommandLine(new Failing(failure)).setErr(new PrintWriter(err, true));
+        return UsersMistakes.reportedBy(commandLine, IllegalArgumentException.class::isInstance)
                 .execute(arguments);
     }
 
     @Test
     void aWrongOptionIsOneLineThatNamesTheHelp() {
         assertThat(run(new IllegalStateException(), "--dim")).isEqualTo(2);
-        assertThat(told.toString().lines())
+        assertThat(err.toString().lines())
                 .singleElement()
                 .asString()
                 .startsWith("error: Unknown option: '--dim'")
@@ -46,13 +46,13 @@ class UsersMistakesTest {
     @Test
     void aWordTooManyIsNamed() {
         assertThat(run(new IllegalStateException(), "on", "off")).isEqualTo(2);
-        assertThat(told.toString().lines()).containsExactly("error: more than it takes: on off (see lamp --help)");
+        assertThat(err.toString().lines()).containsExactly("error: more than it takes: on off (see lamp --help)");
     }
 
     @Test
     void wordsThatAreAllowedAreNamed() {
         assertThat(run(new IllegalStateException(), "--light", "pink")).isEqualTo(2);
-        assertThat(told.toString().lines())
+        assertThat(err.toString().lines())
                 .containsExactly("error: --light: 'pink' is none of cold, warm (see lamp --help)");
     }
 
@@ -61,25 +61,24 @@ class UsersMistakesTest {
         CommandLine house = new CommandLine(
                         CommandLine.Model.CommandSpec.create().name("house"))
                 .addSubcommand("lamp", new Failing(new IllegalStateException()))
-                .setErr(new PrintWriter(told, true));
-        assertThat(UsersMistakes.toldBy(house, IllegalArgumentException.class::isInstance)
+                .setErr(new PrintWriter(err, true));
+        assertThat(UsersMistakes.reportedBy(house, IllegalArgumentException.class::isInstance)
                         .execute("lmap"))
                 .isEqualTo(2);
-        assertThat(told.toString().lines())
+        assertThat(err.toString().lines())
                 .containsExactly("error: there is no command 'lmap'; there are lamp (see house --help)");
     }
 
     @Test
-    void whatTheUserCanMendIsItsMessage() {
+    void anErrorThatTheUserCanFixIsOnlyItsMessage() {
         assertThat(run(new IllegalArgumentException("there is no bulb; screw one in")))
                 .isEqualTo(2);
-        assertThat(told.toString().lines()).containsExactly("error: there is no bulb; screw one in");
+        assertThat(err.toString().lines()).containsExactly("error: there is no bulb; screw one in");
     }
 
     @Test
-    void anyOtherFailureTellsWhereItHappened() {
+    void anyOtherFailureShowsWhereItHappened() {
         assertThat(run(new IllegalStateException("dark"))).isEqualTo(1);
-        assertThat(told.toString())
-                .contains("IllegalStateException: dark", "\tat " + UsersMistakesTest.class.getName());
+        assertThat(err.toString()).contains("IllegalStateException: dark", "\tat " + UsersMistakesTest.class.getName());
     }
 }

@@ -25,7 +25,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Lines over a real pseudo-terminal, which comes late, is unplugged and plugged in again. */
+/** Lines over a real pseudo-terminal that appears late, is unplugged and plugged in again. */
 @EnabledOnOs(OS.LINUX)
 @Timeout(120)
 class SerialTransportTest {
@@ -70,7 +70,7 @@ class SerialTransportTest {
     }
 
     @Test
-    void linesGoBothWaysAndGoOnAfterTheCableWasPulled() throws Exception {
+    void linesGoBothWaysAndContinueAfterTheCableWasPulled() throws Exception {
         Path port = folder.resolve("lamp");
         try (LineConnection connection =
                         new LineConnection(SerialTransport.at(port.toString(), 9600), clock).greet("HELLO");
@@ -108,7 +108,7 @@ class SerialTransportTest {
             connection.open();
             await().atMost(PATIENCE).until(connection::isUp);
             write(pty, "OK\n");
-            connection.tell("?");
+            connection.send("?");
             assertThat(read(pty, "\n")).isEqualTo("?\n");
             Thread answer = new Thread(() -> {
                 read(pty, "\n");

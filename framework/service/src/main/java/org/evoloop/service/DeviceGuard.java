@@ -19,7 +19,7 @@ import org.slf4j.LoggerFactory;
  *
  * <p>While the device is active, the guard process gets a heartbeat every {@value #BEAT_MILLIS} ms; it acts when there
  * has been none for {@link #LIMIT}. This process detects that by its own clock, a little earlier: from then on {@link
- * #mayTell} is false, so that a process that continues after a standstill sends the device nothing decided before.
+ * #maySend} is false, so that a process that continues after a standstill sends the device nothing decided before.
  *
  * <p>A guard process that ends or hangs is replaced.
  *
@@ -39,7 +39,7 @@ public final class DeviceGuard implements AutoCloseable {
     private static final long FENCE_NANOS = LIMIT.toNanos() - BEAT_NANOS;
 
     /** After a command, a device counts as active for this long, whatever it reports. */
-    private static final long TOLD_NANOS = Duration.ofSeconds(1).toNanos();
+    private static final long SENDING_NANOS = Duration.ofSeconds(1).toNanos();
 
     /** A guard process that has not answered for this long is replaced. */
     private static final long ANSWER_NANOS = Duration.ofSeconds(5).toNanos();
@@ -60,7 +60,7 @@ public final class DeviceGuard implements AutoCloseable {
     private long firstBeat;
 
     private long beatNanos;
-    private long toldNanos = startedNanos - TOLD_NANOS;
+    private long sendingNanos = startedNanos - SENDING_NANOS;
 
     /** The reason why the device is being made safe; null if it is not. */
     private @Nullable String expired;
@@ -94,9 +94,9 @@ public final class DeviceGuard implements AutoCloseable {
      * Whether this process has been running without interruption. Call it before sending the device anything that may
      * make it active. If it returns false, send the device nothing before {@link GuardedDevice#madeSafe} has returned.
      */
-    public synchronized boolean mayTell() {
+    public synchronized boolean maySend() {
         long now = System.nanoTime();
-        toldNanos = now;
+        sendingNanos = now;
         if (expire(now)) {
             return false;
         }
@@ -132,22 +132,22 @@ public final class DeviceGuard implements AutoCloseable {
         if (reason != null) {
             LOG.warn("{}", reason);
             device.madeSafe(reason);
-            goOn();
+            proceed();
         }
     }
 
     private synchronized @Nullable String beatUnlessExpired(boolean active) {
         long now = System.nanoTime();
         if (expire(now)) {
-            process.tell("stop");
+            process.send("stop");
             return expired;
         }
         replaceIfUseless(now);
-        if (active || now - toldNanos < TOLD_NANOS) {
+        if (active || now - sendingNanos < SENDING_NANOS) {
             beat(now);
         } else if (watching) {
             watching = false;
-            process.tell("off");
+            process.send("off");
         }
         return null;
     }
@@ -162,7 +162,7 @@ public final class DeviceGuard implements AutoCloseable {
         // Taken before the beat is written, since this process may be stopped in between; then the guard has not
         // received it.
         beatNanos = now;
-        process.tell("on " + beats);
+        process.send("on " + beats);
     }
 
     /** Whether the guard process has acted, or is about to. */
@@ -177,7 +177,7 @@ public final class DeviceGuard implements AutoCloseable {
         return expired != null;
     }
 
-    private synchronized void goOn() {
+    private synchronized void proceed() {
         expired = null;
         watching = false;
     }
@@ -220,7 +220,7 @@ public final class DeviceGuard implements AutoCloseable {
         LockSupport.unpark(thread);
         Threads.join(thread, Duration.ofSeconds(1));
         synchronized (this) {
-            process.tell("end");
+            process.send("end");
         }
     }
 }

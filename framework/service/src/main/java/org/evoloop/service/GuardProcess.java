@@ -52,7 +52,7 @@ final class GuardProcess {
     }
 
     /** Sends a word; does nothing if the process has ended. */
-    void tell(String word) {
+    void send(String word) {
         try {
             OutputStream to = process.getOutputStream();
             to.write((word + "\n").getBytes(StandardCharsets.US_ASCII));

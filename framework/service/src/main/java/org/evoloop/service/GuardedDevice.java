@@ -23,7 +23,7 @@ public interface GuardedDevice {
 
     /**
      * Called when the device has been made safe, or is about to be, because this process stopped running. Anything
-     * decided before must be cancelled. Until this returns, {@link DeviceGuard#mayTell} is false.
+     * decided before must be cancelled. Until this returns, {@link DeviceGuard#maySend} is false.
      *
      * @param reason for people
      */

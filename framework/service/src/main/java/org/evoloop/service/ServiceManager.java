@@ -32,7 +32,7 @@ final class ServiceManager implements AutoCloseable {
     private final Notifier notifier;
     private final Pulse pulse;
     private final Thread thread = new Thread(this::look, "evoloop-pulse");
-    private String toldStatus = "";
+    private String sentStatus = "";
 
     ServiceManager(Map<String, String> environment, Console console, Clock clock, boolean unattended) {
         this.console = console;
@@ -46,8 +46,8 @@ final class ServiceManager implements AutoCloseable {
 
     /** Reports that the program is ready. */
     void ready() {
-        toldStatus = status();
-        notifier.send("READY=1", toldStatus);
+        sentStatus = status();
+        notifier.send("READY=1", sentStatus);
         if (unattended || notifier.isThere()) {
             thread.start();
         }
@@ -58,14 +58,14 @@ final class ServiceManager implements AutoCloseable {
         // Three times per watchdog period, so that a single delay does not matter.
         long periodNanos = (watchdog == null ? STATUS_PERIOD : watchdog.dividedBy(3)).toNanos();
         Duration rest = Duration.ofNanos(Math.min(LOOK.toNanos(), periodNanos));
-        long told = clock.nanoTime();
+        long sentNanos = clock.nanoTime();
         try {
             while (!console.isEnding()) {
                 clock.sleep(rest);
                 endWithTheConverters();
-                if (clock.nanoTime() - told >= periodNanos) {
-                    told = clock.nanoTime();
-                    tell(watchdog != null);
+                if (clock.nanoTime() - sentNanos >= periodNanos) {
+                    sentNanos = clock.nanoTime();
+                    send(watchdog != null);
                 }
             }
         } catch (InterruptedException end) {
@@ -85,16 +85,16 @@ final class ServiceManager implements AutoCloseable {
         return converter.status().loop() == LoopState.EXITED;
     }
 
-    private void tell(boolean watched) throws InterruptedException {
+    private void send(boolean watched) throws InterruptedException {
         if (notifier.isThere() && !console.isEnding()) {
             String trouble = pulse.trouble();
             String status = trouble.isEmpty() ? status() : "STATUS=" + trouble;
             if (watched && trouble.isEmpty()) {
                 notifier.send("WATCHDOG=1", status);
-            } else if (!status.equals(toldStatus)) {
+            } else if (!status.equals(sentStatus)) {
                 notifier.send(status);
             }
-            toldStatus = status;
+            sentStatus = status;
         }
     }
 

@@ -30,7 +30,7 @@ final class Client implements AutoCloseable {
         return this;
     }
 
-    /** Null at the end of the connection. */
+    /** The next line; null at the end of the connection. */
     @Nullable
     String line() throws IOException {
         return lines.readLine();

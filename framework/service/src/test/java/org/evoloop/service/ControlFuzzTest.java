@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class ControlFuzzTest {
     private static final Echo ECHO = new Echo();
 
-    /** One server for all: what one client leaves behind, the next would find. */
+    /** Shared by all inputs, so that anything that one client leaves behind affects the next. */
     private static final class Echo implements Commands {
         private final Path socket;
 
@@ -55,7 +55,7 @@ class ControlFuzzTest {
 
     @MethodSource("seeds")
     @FuzzTest
-    void everyCommandIsAnsweredWhateverItsBytes(byte[] bytes) throws IOException {
+    void everyCommandIsAnsweredForAnyBytes(byte[] bytes) throws IOException {
         int answers = 0;
         try (Client client = new Client(ECHO.socket)) {
             try {
@@ -71,7 +71,7 @@ class ControlFuzzTest {
                     line = client.line();
                 }
             } catch (IOException hungUp) {
-                // Who sends a line without end need not be listened to.
+                // The server need not read an endless line.
             }
         }
         assertThat(answers).isLessThanOrEqualTo(bytes.length + 1);

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The control socket and clients of every kind. */
-@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // nothing interrupts who reads a socket
+@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // reading from a socket cannot be interrupted
 class ControlServerTest {
     private final ManualClock clock = new ManualClock();
     private final CountDownLatch slowMayEnd = new CountDownLatch(1);
@@ -77,7 +77,7 @@ class ControlServerTest {
     }
 
     @Test
-    void outputErrorsAndStatusAreToldApart() throws Exception {
+    void outputErrorsAndStatusAreSeparate() throws Exception {
         Client client = client().send("status\nfail\nthrow\n");
 
         assertThat(client.line()).isEqualTo("out done status");
@@ -89,13 +89,13 @@ class ControlServerTest {
     }
 
     @Test
-    void nobodyElseMayUseTheSocket() throws Exception {
+    void noOtherUserMayUseTheSocket() throws Exception {
         assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(socket)))
                 .isEqualTo("rw-------");
     }
 
     @Test
-    void whoSendsNothingOrHalfALineOrWaitsForASlowCommandIsNotWaitedFor() throws Exception {
+    void aClientThatSendsNothingOrHalfALineOrWaitsForASlowCommandIsNotWaitedFor() throws Exception {
         client();
         client().send("stat");
         client().send("slow\n");
@@ -138,7 +138,7 @@ class ControlServerTest {
     }
 
     @Test
-    void aThousandConnectionsTakeNobodysPlaceForLong() throws Exception {
+    void aThousandConnectionsBlockOthersOnlyBriefly() throws Exception {
         for (int count = 0; count < 1000; count++) {
             client();
         }
@@ -151,7 +151,7 @@ class ControlServerTest {
     }
 
     @Test
-    void whoDoesNotReadItsAnswerIsNotWaitedFor() throws Exception {
+    void aClientThatDoesNotReadItsAnswerIsNotWaitedFor() throws Exception {
         for (int count = 0; count < 2 * ControlServer.CLIENTS; count++) {
             client().send("much\nmuch\n");
         }
@@ -162,7 +162,7 @@ class ControlServerTest {
     void aClientHasItsTimeForARequest() throws Exception {
         Client silent = client();
         Client half = client().send("stat");
-        // Connections are admitted in their order.
+        // Connections are accepted in order.
         assertServes();
 
         clock.advance(Connection.LIMIT);

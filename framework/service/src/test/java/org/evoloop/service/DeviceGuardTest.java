@@ -17,17 +17,17 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The guard process is a real one. What it does when this process is killed or stopped, GuardedRobotTest shows. */
+/** With a real guard process. GuardedRobotTest covers what it does when this process is killed or stopped. */
 @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 @EnabledOnOs(OS.LINUX)
 class DeviceGuardTest {
     @TempDir
     private Path folder;
 
-    /** One that leaves a mark where it is made safe. */
+    /** A device that leaves a file when it is made safe. */
     private final class Device implements GuardedDevice {
         private final LinkedBlockingQueue<String> reasons = new LinkedBlockingQueue<>();
-        private final CountDownLatch goOn = new CountDownLatch(1);
+        private final CountDownLatch proceed = new CountDownLatch(1);
         private volatile boolean active;
         private volatile boolean hangs;
 
@@ -40,7 +40,7 @@ class DeviceGuardTest {
         public boolean isActive() {
             if (hangs) {
                 try {
-                    goOn.await();
+                    proceed.await();
                 } catch (InterruptedException end) {
                     Thread.currentThread().interrupt();
                 }
@@ -67,18 +67,18 @@ class DeviceGuardTest {
     }
 
     @Test
-    void aDeviceThatIsHungUponIsMadeSafeAndNotToldAnythingBeforeThatIsKnown() throws Exception {
+    void afterADisconnectionTheDeviceIsMadeSafeAndSentNothingBeforeThatIsKnown() throws Exception {
         Device device = new Device();
         try (DeviceGuard guard = DeviceGuard.start(device)) {
             device.active = true;
-            assertThat(guard.mayTell()).isTrue();
+            assertThat(guard.maySend()).isTrue();
             device.hangs = true;
             await().until(() -> Files.exists(mark()));
-            assertThat(guard.mayTell()).isFalse();
+            assertThat(guard.maySend()).isFalse();
             device.hangs = false;
-            device.goOn.countDown();
+            device.proceed.countDown();
             assertThat(device.reasons.poll(30, TimeUnit.SECONDS)).contains("so the device was put into a safe state");
-            await().until(guard::mayTell);
+            await().until(guard::maySend);
         }
         assertThat(Files.readAllLines(mark())).as("once").containsExactly("safe");
     }
@@ -91,7 +91,7 @@ class DeviceGuardTest {
             device.hangs = true;
             assertThat(device.reasons.poll(2 * DeviceGuard.LIMIT.toMillis(), TimeUnit.MILLISECONDS))
                     .isNull();
-            device.goOn.countDown();
+            device.proceed.countDown();
         }
         assertThat(mark()).doesNotExist();
     }

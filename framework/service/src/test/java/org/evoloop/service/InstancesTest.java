@@ -18,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Names, where their sockets are, and whose they are. */
+/** Names of instances, and the paths and owners of their sockets. */
 class InstancesTest {
     @TempDir
     private Path runtime;
@@ -37,11 +37,11 @@ class InstancesTest {
     }
 
     @Test
-    void aProgramIsToldHowItRuns() {
-        ServiceOptions told = ServiceOptions.of(
+    void aProgramIsInformedHowItRuns() {
+        ServiceOptions options = ServiceOptions.of(
                 ServiceOptions.OPTIONS.read(List.of("--name", "lamp-2", "--start", "--journal", "kept"), Map.of()));
 
-        assertThat(told).isEqualTo(new ServiceOptions(true, "lamp-2", Path.of("kept")));
+        assertThat(options).isEqualTo(new ServiceOptions(true, "lamp-2", Path.of("kept")));
         assertThatThrownBy(() -> ServiceOptions.OPTIONS.read(List.of("--name", "a.b"), Map.of()))
                 .hasMessage("--name: 'a.b' is not a name for an instance; use letters, digits, - and _, and no - in "
                         + "front, as in living-room");
@@ -58,7 +58,7 @@ class InstancesTest {
     }
 
     @Test
-    void aPathThatIsTooLongIsToldWithItsLength() {
+    void aPathThatIsTooLongIsReportedWithItsLength() {
         Path directory = Path.of("/" + "d".repeat(99));
 
         assertThat(Instances.socket(directory, "l")).isEqualTo(directory.resolve("l.sock"));
@@ -102,7 +102,7 @@ class InstancesTest {
     }
 
     @Test
-    void theClientTellsWhichInstancesThereAre() throws Exception {
+    void theClientListsTheInstances() throws Exception {
         ByteArrayOutputStream text = new ByteArrayOutputStream();
         PrintStream all = new PrintStream(text, true, StandardCharsets.UTF_8);
         Ctl ctl = new Ctl(new Instances(Map.of("XDG_RUNTIME_DIR", runtime.toString())), all, all, false);

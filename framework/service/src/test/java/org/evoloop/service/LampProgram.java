@@ -14,7 +14,7 @@ import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
 
-/** The paper's light bulb as a program, which can also be told to close itself, and to hang. */
+/** The paper's light bulb as a program, with commands to close its converter and to hang. */
 final class LampProgram {
     private LampProgram() {}
 
@@ -38,7 +38,7 @@ final class LampProgram {
         System.exit(status);
     }
 
-    /** A converter that is built. */
+    /** A built converter. */
     static SystemEventConverter converter(PushMonitor wallSwitch, Clock clock) {
         SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
         converter.addMonitor(wallSwitch);

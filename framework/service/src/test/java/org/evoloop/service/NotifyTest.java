@@ -19,11 +19,11 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What a service manager is told, at a datagram socket like its own. */
+/** The notifications to a service manager, received on a datagram socket like the manager's. */
 @Timeout(value = 120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 @EnabledOnOs(OS.LINUX)
 class NotifyTest {
-    /** Prints each message as one line, with blanks for its line feeds; what only marks the end of one is left out. */
+    /** Prints each message as one line, with spaces for line feeds; messages that only mark an end are left out. */
     private static final String MANAGER = """
             import socket, sys
             address = sys.argv[1]
@@ -85,7 +85,7 @@ class NotifyTest {
         lamp = builder.start();
     }
 
-    private void tell(String command) throws Exception {
+    private void command(String command) throws Exception {
         try (Client client = new Client(runtime.resolve("evoloop/lamp.sock"))) {
             client.send(command + "\n");
             assertThat(client.line()).isEqualTo("end 0");
@@ -104,7 +104,7 @@ class NotifyTest {
 
         assertThat(messages.readLine()).isEqualTo("READY=1 STATUS=lamp running: off / off");
         assertThat(messages.readLine()).isEqualTo("WATCHDOG=1 STATUS=lamp running: off / off");
-        tell("exit");
+        command("exit");
         String last = messages.readLine();
         while (last.startsWith("WATCHDOG=1")) {
             last = messages.readLine();
@@ -113,7 +113,7 @@ class NotifyTest {
     }
 
     @Test
-    void theWatchdogHearsNothingOfALoopThatHangs() throws Exception {
+    void theWatchdogReceivesNothingFromALoopThatHangs() throws Exception {
         assumeTrue(hasPrograms());
         String address = runtime.resolve("notify").toString();
         BufferedReader messages = manage(address);
@@ -121,14 +121,14 @@ class NotifyTest {
         assertThat(messages.readLine()).startsWith("READY=1");
         assertThat(messages.readLine()).startsWith("WATCHDOG=1");
 
-        tell("hang");
+        command("hang");
 
         String next = messages.readLine();
         while (next.startsWith("WATCHDOG=1")) {
             next = messages.readLine();
         }
         assertThat(next).isEqualTo("STATUS=lamp has a clock that does not run its tasks");
-        tell("exit");
+        command("exit");
         assertThat(messages.readLine()).startsWith("STOPPING=1");
     }
 

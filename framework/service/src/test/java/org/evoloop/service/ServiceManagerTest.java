@@ -25,7 +25,7 @@ class ServiceManagerTest {
     private final PrintStream nowhere = new PrintStream(OutputStream.nullOutputStream());
     private final Console console = new Console(converter, InputStream.nullInputStream(), nowhere, nowhere);
 
-    /** What the manager warns of when {@code end} runs between two of its looks. */
+    /** The warnings that are logged if {@code end} runs between two checks. */
     private List<String> warningsOf(Runnable end) {
         try (Logged logged = new Logged("org.evoloop.service");
                 ServiceManager manager = new ServiceManager(Map.of(), console, clock, true)) {

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A program that runs by itself, in a process of its own. */
+/** An unattended program, in a process of its own. */
 @Timeout(value = 120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 @EnabledOnOs(OS.LINUX)
 class ServiceProcessTest {
@@ -54,7 +54,7 @@ class ServiceProcessTest {
         return runtime.resolve("evoloop/lamp.sock");
     }
 
-    /** The lines of what {@code ctl lamp} with these words prints, and its status. */
+    /** The lines that {@code ctl lamp} prints with these words, and its exit status. */
     private List<String> ctl(String... words) {
         ByteArrayOutputStream text = new ByteArrayOutputStream();
         PrintStream all = new PrintStream(text, true, StandardCharsets.UTF_8);

@@ -71,7 +71,7 @@ final class Rig implements LoopListener<Object> {
         } finally {
             lock.release();
         }
-        sequencer.goOnAfter(stage, failure);
+        sequencer.proceedAfter(stage, failure);
     }
 
     /** The current carrier thread. */

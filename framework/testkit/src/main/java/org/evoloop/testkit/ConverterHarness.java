@@ -291,12 +291,12 @@ public final class ConverterHarness implements AutoCloseable {
     private void dealWithAll() {
         int events = 0;
         for (int quiet = 0; quiet < QUIET_ROUNDS; quiet++) {
-            long before = told();
+            long before = reports();
             monitors.forEach(this::observe);
             while (converter.step()) {
                 requireProgress(++events, "events follow from events without end");
             }
-            if (told() != before) {
+            if (reports() != before) {
                 quiet = -1;
                 requireProgress(++events, "a monitor never stops reporting events");
             }
@@ -314,7 +314,7 @@ public final class ConverterHarness implements AutoCloseable {
     }
 
     /** A counter that grows with every report. */
-    private long told() {
+    private long reports() {
         ConverterStatus now = status();
         ConverterStatus.EventCounts ended = now.events();
         return now.queue().taken()

@@ -46,7 +46,7 @@ public final class SimulatedDevice {
     private final Set<String> buttons;
     private final Duration effectDelay;
     private final Duration recovery;
-    private final boolean tellsEffects;
+    private final boolean reportsEffects;
     private final boolean answersLocate;
     private final Its monitor = new Its();
     private final Sender execute = new Sender();
@@ -64,7 +64,7 @@ public final class SimulatedDevice {
         sendable = Set.copyOf(builder.sendable.isEmpty() ? builder.sendableByModel() : builder.sendable);
         effectDelay = builder.effectDelay;
         recovery = builder.recovery;
-        tellsEffects = builder.tellsEffects;
+        reportsEffects = builder.reportsEffects;
         answersLocate = builder.answersLocate;
     }
 
@@ -81,7 +81,7 @@ public final class SimulatedDevice {
         private Predicate<String> guards = guard -> false;
         private Duration effectDelay = Duration.ZERO;
         private Duration recovery = Duration.ZERO;
-        private boolean tellsEffects = true;
+        private boolean reportsEffects = true;
         private boolean answersLocate;
 
         private Builder(StateMachine model) {
@@ -137,7 +137,7 @@ public final class SimulatedDevice {
          * goes unnoticed.
          */
         public Builder silent() {
-            tellsEffects = false;
+            reportsEffects = false;
             return this;
         }
 
@@ -238,7 +238,7 @@ public final class SimulatedDevice {
     }
 
     /** Reports its state, as a finding. */
-    public synchronized void tellsState() {
+    public synchronized void reportsState() {
         monitor.found(state());
     }
 
@@ -263,7 +263,7 @@ public final class SimulatedDevice {
                 }
             }
             boolean lost = befalling.contains(Incident.lost());
-            if (befalling.contains(Incident.refused()) || (lost && tellsEffects)) {
+            if (befalling.contains(Incident.refused()) || (lost && reportsEffects)) {
                 throw new IOException("the device " + (lost ? "does not answer " : "refuses ") + event);
             }
             if (!lost) {
@@ -277,7 +277,7 @@ public final class SimulatedDevice {
         model.take(event);
         readyAtNanos = requireJoined(clock).nanoTime() + recovery.toNanos();
         boolean answers = !befalling.contains(Incident.unanswered());
-        if (tellsEffects && answers) {
+        if (reportsEffects && answers) {
             tookEffect.run();
         }
         for (Incident incident : befalling) {
@@ -326,19 +326,19 @@ public final class SimulatedDevice {
         }
 
         void acted(String event) {
-            tell(() -> push(fromDevice(event)));
+            report(() -> push(fromDevice(event)));
         }
 
         void pressed(String event) {
-            tell(() -> push(fromPanel(event, true)));
+            report(() -> push(fromPanel(event, true)));
         }
 
         void found(String state) {
-            tell(() -> push(foundIn(state)));
+            report(() -> push(foundIn(state)));
         }
 
         /** Reports at once, so that nothing overtakes it: without threads a monitor has to be called. */
-        private void tell(Runnable push) {
+        private void report(Runnable push) {
             push.run();
             if (!hasThread()) {
                 try {

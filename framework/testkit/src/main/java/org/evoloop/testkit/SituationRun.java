@@ -107,7 +107,7 @@ final class SituationRun implements AutoCloseable {
                 throw new AssertionError("the adapter does not keep the order " + when + ": " + what()
                         + "\n  Report both what the device does by itself and that a step took effect (tookEffect) "
                         + "on the thread that reads from the device, in the order in which the device says so.\n  It "
-                        + "has reported:" + told());
+                        + "has reported:" + outcomes());
             }
         }
     }
@@ -123,7 +123,7 @@ final class SituationRun implements AutoCloseable {
                         + converter.knowledge().getOriginalState();
     }
 
-    private String told() {
+    private String outcomes() {
         return ended.stream()
                 .map(entry -> "\n    " + entry.occurrence() + ": " + entry.outcome() + ", device "
                         + entry.before().original() + " -> " + entry.after().original())
@@ -135,7 +135,7 @@ final class SituationRun implements AutoCloseable {
     }
 
     /** An adapter that reports the state in which it found the device need not report how the device got there. */
-    private boolean hasToldAll() {
+    private boolean hasReportedAll() {
         return line.isQuiet()
                 && count(Source.CONTROLLER) == presses
                 && (facts(Occurrence.Heard.class) == line.acts() || facts(Occurrence.Found.class) > 0);
@@ -163,7 +163,7 @@ final class SituationRun implements AutoCloseable {
         synchronized (lock) {
             while (true) {
                 // Read before the record: the last report may come between the two.
-                boolean complete = hasToldAll();
+                boolean complete = hasReportedAll();
                 boolean right = knowsTheTruth();
                 long left = deadline - clock.nanoTime();
                 if ((complete && right) || !doubts.isEmpty()) {

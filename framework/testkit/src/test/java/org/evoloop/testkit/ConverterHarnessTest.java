@@ -17,7 +17,7 @@ import org.evoloop.statemachine.StateMachine;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** What a test sees of a converter, and what it is told when that is not what it wants. */
+/** What a test sees of a converter, and the messages of failed expectations. */
 class ConverterHarnessTest {
     private final SimulatedDevice device =
             SimulatedDevice.of(PaperModels.lightBulb().original()).build();
@@ -51,7 +51,7 @@ class ConverterHarnessTest {
     }
 
     @Test
-    void aStateThatIsNeverReachedIsToldWithAllThatIsKnown() {
+    void aStateThatIsNeverReachedIsReportedWithAllThatIsKnown() {
         lamp.press("switch").press("switch").press("switch");
         assertThatThrownBy(() -> lamp.until("wait"))
                 .isInstanceOf(AssertionError.class)
@@ -143,7 +143,7 @@ class ConverterHarnessTest {
     }
 
     @Test
-    void aTimerThatComesAgainAndAgainIsNoReasonToGiveUp() {
+    void aTimerThatFiresAgainAndAgainIsNoReasonToGiveUp() {
         int[] ticks = new int[1];
         tick(ticks);
         lamp.advance(Duration.ofHours(2));
@@ -177,7 +177,7 @@ class ConverterHarnessTest {
     }
 
     @Test
-    void withoutASimulatedDeviceTheHarnessTellsWhatItDoes() {
+    void withoutASimulatedDeviceTheHarnessReportsWhatItDoes() {
         try (ConverterHarness robot = ConverterHarness.of(new StateKnowledge(Models.player()))
                 .with(new RecordingExecute("Device", "play", "pause", "stop"))
                 .start()) {

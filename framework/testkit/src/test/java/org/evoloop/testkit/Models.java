@@ -3,9 +3,9 @@ package org.evoloop.testkit;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.StateMachine;
 
-/** The models that these tests are about. */
+/** The models of these tests. */
 final class Models {
-    /** Of a device with buttons of its own. */
+    /** A device with its own buttons. */
     static final StateMachine PLAYER = StateMachine.named("original")
             .initial("Stopped")
             .transition("Stopped", "play", "Playing")
@@ -19,7 +19,7 @@ final class Models {
 
     private Models() {}
 
-    /** The player as it is: the new model is the original one. */
+    /** The unchanged player: the new model is the original one. */
     static ModelPair player() {
         return new ModelPair(PLAYER, PLAYER.withName("new"));
     }

@@ -10,7 +10,7 @@ import org.evoloop.statemachine.StateMachine;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** An adapter that keeps the order passes, and those that do not are told apart from it. */
+/** An adapter that keeps the order passes, and others fail. */
 @Timeout(120)
 class OrderCheckTest {
     private static void check(PlayerAdapter.Kind kind) {
@@ -25,12 +25,12 @@ class OrderCheckTest {
     }
 
     @Test
-    void anAdapterThatTellsEverythingAsItHappenedPasses() {
+    void anAdapterThatReportsEverythingInOrderPasses() {
         check(PlayerAdapter.Kind.IN_ORDER);
     }
 
     @Test
-    void anEffectThatIsToldBeforeItHappensIsFound() {
+    void anEffectThatIsReportedBeforeItHappensIsFound() {
         assertFails(PlayerAdapter.Kind.EFFECTS_TOO_SOON)
                 .hasMessageMatching(
                         "(?s)the adapter does not keep the order when \\w+ is sent in \\w+, and the device does \\w+ "
@@ -38,7 +38,7 @@ class OrderCheckTest {
     }
 
     @Test
-    void whatTheDeviceDidAndIsToldAfterALaterEffectIsFound() {
+    void anActReportedAfterALaterEffectIsFound() {
         assertFails(PlayerAdapter.Kind.FACTS_TOO_LATE)
                 .hasMessageContaining("the device is in ")
                 .hasMessageContaining("and the converter takes it to be in ");
@@ -59,7 +59,7 @@ class OrderCheckTest {
     void everySituationInWhichTheOrderMattersIsPlayed() {
         assertThat(Situation.all(Models.PLAYER, Set.of("stop"), Set.of("play")))
                 .extracting(Situation::toString)
-                .as("paused it never is, and played by hand before it is stopped it is stopped all the same")
+                .as("the player is never paused, and play by hand before stop makes no difference")
                 .containsExactly(
                         "when stop is sent in Playing, and the device does play by itself just after it takes stop");
     }

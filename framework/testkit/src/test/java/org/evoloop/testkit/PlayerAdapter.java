@@ -10,17 +10,17 @@ import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.evolution.Step;
 
-/** Adapters of the player: one as it should be, and some as they should not be. */
+/** Adapters of the player: a correct one and some faulty ones. */
 final class PlayerAdapter {
     enum Kind {
         IN_ORDER,
-        /** Takes a command to have had its effect when it has been written. */
+        /** Reports the effect of a command as soon as it is written. */
         EFFECTS_TOO_SOON,
-        /** Keeps what the device does by itself back until it has told the next effect. */
+        /** Delays what the device does by itself until it has reported the next effect. */
         FACTS_TOO_LATE,
-        /** Does not say when a command has had its effect. */
+        /** Does not report the effects of commands. */
         NO_EFFECTS,
-        /** Does not say what the device does by itself. */
+        /** Does not report what the device does by itself. */
         NO_FACTS
     }
 
@@ -42,23 +42,23 @@ final class PlayerAdapter {
         return new DeviceAdapter(adapter.buttons, adapter.sender);
     }
 
-    /** On the line's thread. */
+    /** Called on the line's thread. */
     private void read(DeviceReport report) {
         if (report instanceof DeviceReport.Acted) {
             held.add(report.event());
             if (kind != Kind.FACTS_TOO_LATE || taken.getCount() == 0) {
-                tellHeld();
+                reportHeld();
             }
             return;
         }
         if (kind != Kind.NO_EFFECTS) {
             sender.took();
         }
-        tellHeld();
+        reportHeld();
         taken.countDown();
     }
 
-    private void tellHeld() {
+    private void reportHeld() {
         if (kind != Kind.NO_FACTS) {
             held.forEach(buttons::acted);
         }

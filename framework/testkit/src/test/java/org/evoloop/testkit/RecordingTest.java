@@ -19,7 +19,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A day of the light bulb, replayed with the models of that day and with others. */
+/** A day of the light bulb, replayed with the same models and with others. */
 class RecordingTest {
     private static final Path MODELS = Path.of(System.getProperty("evoloop.root"), "models");
 
@@ -40,7 +40,7 @@ class RecordingTest {
         }
     }
 
-    /** As docs/testing.md has it. */
+    /** As in docs/testing.md. */
     @Test
     void theLampStillDecidesAsOnSunday() {
         XmiFile file = XmiFile.read(MODELS.resolve("light-bulb.xml"));
@@ -72,11 +72,11 @@ class RecordingTest {
                 .hasMessageContaining("switch (controller)\n")
                 .hasMessageContaining("\n    then  (on, wait) -> (on, incandescentOn): new-function\n"
                         + "    now   (on, wait) -> (off, off), sends switch: existing-function");
-        assertThat(replay.expectPropertiesKept()).as("there are none").isSameAs(replay);
+        assertThat(replay.expectPropertiesKept()).as("there are no properties").isSameAs(replay);
     }
 
     @Test
-    void aBrokenPropertyIsToldWithItsEvent() throws IOException {
+    void aBrokenPropertyIsReportedWithItsEvent() throws IOException {
         Path file = Files.writeString(
                 folder.resolve("lamp.txt"), "never dark: never (off and event timeout)\nalways can on\n");
         Recording.Replay replay = Recording.in(sunday)

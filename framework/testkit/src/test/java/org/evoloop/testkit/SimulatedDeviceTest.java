@@ -12,7 +12,7 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.StateMachine;
 import org.junit.jupiter.api.Test;
 
-/** A device made from a model does what devices do, good and bad. */
+/** A device made from a model behaves like real devices, including their faults. */
 class SimulatedDeviceTest {
     private static SimulatedDevice device(UnaryOperator<SimulatedDevice.Builder> options) {
         return options.apply(SimulatedDevice.of(Models.PLAYER).buttons("play", "pause", "stop"))
@@ -31,7 +31,7 @@ class SimulatedDeviceTest {
     }
 
     @Test
-    void itObeysWhatItIsSentAndTellsWhatItDoesByItself() {
+    void itObeysCommandsAndReportsWhatItDoesByItself() {
         SimulatedDevice player = device(options -> options);
         ConverterHarness converter = converterOf(player);
         converter.press("play").pressOnDevice("pause", true).expect("Paused", "Paused");
@@ -73,7 +73,7 @@ class SimulatedDeviceTest {
         assertThat(player.state()).isEqualTo("Stopped");
         assertThat(player.received()).isEmpty();
 
-        player.tellsState();
+        player.reportsState();
         converter.settle().expect("Stopped", "Stopped");
     }
 
@@ -91,7 +91,7 @@ class SimulatedDeviceTest {
     }
 
     @Test
-    void whatItDoesWhileACommandIsOnItsWayIsToldInOrder() {
+    void whatItDoesWhileACommandIsBeingSentIsReportedInOrder() {
         SimulatedDevice player = device(options -> options);
         ConverterHarness converter = converterOf(player);
         player.incidents(IncidentPlan.at(2, Incident.before("stop")).and(IncidentPlan.at(3, Incident.after("pause"))));
@@ -134,7 +134,7 @@ class SimulatedDeviceTest {
 
         converter.press("pause");
         assertThat(converter.clock().nanoTime())
-                .as("ready a second after the first effect, and a tenth on its way")
+                .as("ready a second after the first effect, plus a tenth to take effect")
                 .isEqualTo(1_200_000_000L);
     }
 
@@ -160,7 +160,7 @@ class SimulatedDeviceTest {
         assertThat(storyOf(7)).isEqualTo(storyOf(7)).isNotEqualTo(storyOf(8));
     }
 
-    /** A device that answers is never taken to be elsewhere, whatever happens to its commands. */
+    /** If a device answers, its recorded state is always right, whatever happens to its commands. */
     private static String storyOf(long seed) {
         SimulatedDevice player = device(SimulatedDevice.Builder::answersLocate);
         ConverterHarness converter = converterOf(player);

@@ -259,7 +259,7 @@ final class Body {
             if (history.outgoing.isEmpty()) {
                 enterByDefault(zone);
             } else {
-                goOn(history.outgoing.get(0), zone);
+                proceed(history.outgoing.get(0), zone);
             }
             return;
         }
@@ -282,11 +282,11 @@ final class Body {
                     zone + " is entered but has no initial pseudostate",
                     "draw one, or end the transition at a state in it");
         }
-        goOn(zone.initial.outgoing.get(0), zone);
+        proceed(zone.initial.outgoing.get(0), zone);
     }
 
     /** Takes the default transition of a region, or of a history in it. */
-    private void goOn(Link link, Zone zone) {
+    private void proceed(Link link, Zone zone) {
         List<Link> path = paths.apply(link);
         if (path == null) {
             throw new Refused(

@@ -60,11 +60,11 @@ final class FlatNames {
             return leaves;
         }
         List<String> names = new ArrayList<>(leaves);
-        tellApart(names, this::done);
-        tellApart(names, this::remembered);
+        makeDistinct(names, this::done);
+        makeDistinct(names, this::remembered);
         int[] number = {1};
         while (!areDifferent(names)) {
-            tellApart(names, state -> " " + number[0]++);
+            makeDistinct(names, state -> " " + number[0]++);
         }
         return names;
     }
@@ -101,7 +101,7 @@ final class FlatNames {
         return new HashSet<>(names).size() == names.size();
     }
 
-    private void tellApart(List<String> names, Function<Snapshot, String> suffix) {
+    private void makeDistinct(List<String> names, Function<Snapshot, String> suffix) {
         Map<String, Integer> count = new HashMap<>();
         names.forEach(name -> count.merge(name, 1, Integer::sum));
         for (int i = 0; i < names.size(); i++) {

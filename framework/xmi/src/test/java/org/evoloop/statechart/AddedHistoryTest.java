@@ -27,8 +27,8 @@ import org.evoloop.statemachine.Transition;
 import org.junit.jupiter.api.Test;
 
 /**
- * Where the new model adds nothing but remembering, the device is where the new model's chart says, state by state as
- * drawn: one interpreter runs the new chart, another one is the device and gets what the decisions send.
+ * If the new model only adds histories, the device is always in the drawn states of the new model's chart: one
+ * interpreter runs the new chart, another one is the device and receives what the decisions send.
  */
 class AddedHistoryTest {
     private static final int CHARTS = 60;
@@ -77,9 +77,9 @@ class AddedHistoryTest {
             if (evolved.isPresent() && compare(seed, Forgetful.copy(evolved.get()), evolved.get())) {
                 compared++;
             }
-            assertThat(seed).as("most charts are no evolution").isLessThan(100 * CHARTS);
+            assertThat(seed).as("few charts give an evolution").isLessThan(100 * CHARTS);
         }
-        assertThat(detours).as("events that take the device a detour").isGreaterThan(CHARTS / 2);
+        assertThat(detours).as("events that send the device on a detour").isGreaterThan(CHARTS / 2);
     }
 
     private static DeviceEvents device(ModelPair pair) {
@@ -153,7 +153,7 @@ class AddedHistoryTest {
         }
     }
 
-    /** @param machine the flat one, with some of its states under other names in the same order */
+    /** @param machine the flat machine, in which some states may have other names, in the same order */
     private static List<String> keys(Flattening flattening, StateMachine machine, State state) {
         int number = List.copyOf(machine.states()).indexOf(state);
         State named = List.copyOf(flattening.machine().states()).get(number);

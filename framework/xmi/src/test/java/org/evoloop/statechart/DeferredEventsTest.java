@@ -20,7 +20,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.junit.jupiter.api.Test;
 
-/** Which events wait, and which do not. */
+/** Which events are deferred. */
 class DeferredEventsTest {
     private static final State B = new State("B");
     private static final State C = new State("C");

@@ -12,7 +12,7 @@ import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.statechart.Vertex.Pseudostate;
 import org.jspecify.annotations.Nullable;
 
-/** What an {@link Interpreter} sees when it looks at a statechart. */
+/** An {@link Interpreter}'s view of a statechart. */
 final class Drawing {
     final List<Arc> arcs = new ArrayList<>();
     /** Keys of the vertices in document order. */
@@ -36,7 +36,7 @@ final class Drawing {
         return regions.get(regions.size() - 1);
     }
 
-    /** The state on whose border an entry or exit point stands. */
+    /** The state on whose border an entry or exit point is. */
     ChartState border(Vertex point) {
         return Objects.requireNonNull(borderOf.get(point.key()));
     }
@@ -88,7 +88,7 @@ final class Drawing {
         return outer.regions().stream().anyMatch(region -> contains(around(inner), region));
     }
 
-    /** The region that a transition disturbs. */
+    /** The region whose states a transition leaves and enters. */
     Region scope(Arc arc) {
         Vertex target = vertex(arc.target());
         if (is(target, Kind.JOIN)) {

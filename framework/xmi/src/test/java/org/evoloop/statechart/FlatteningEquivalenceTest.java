@@ -16,7 +16,7 @@ import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
-/** The flat machine does what the statechart does: on random charts, random events and random values of the guards. */
+/** The flat machine behaves like the statechart, for random charts, events and values of guards. */
 class FlatteningEquivalenceTest {
     private static final int CHARTS = 1_000;
     private static final int EVENTS = 50;
@@ -44,7 +44,7 @@ class FlatteningEquivalenceTest {
         return problem.message().replaceAll("'[^']*'|\\(.*|\\d+", "");
     }
 
-    /** How many events were deferred. */
+    /** Compares the two; returns how many events were deferred. */
     private static int compare(long seed, Statechart chart, Flattening flattening) {
         Random random = new Random(-seed);
         Interpreter expected = new Interpreter(chart);
@@ -67,7 +67,7 @@ class FlatteningEquivalenceTest {
         return waiting;
     }
 
-    /** Mostly one that may do something. */
+    /** A random event, mostly one that can have an effect. */
     private static String anEvent(FlatRun run, Random random) {
         List<Transition> enabled = run.machine.transitionsFrom(run.state);
         if (enabled.isEmpty() || random.nextInt(5) == 0) {
@@ -76,7 +76,7 @@ class FlatteningEquivalenceTest {
         return enabled.get(random.nextInt(enabled.size())).event().name();
     }
 
-    /** A machine that runs as {@link org.evoloop.statemachine} says. */
+    /** Runs a machine by the semantics of {@link org.evoloop.statemachine}. */
     private static final class FlatRun {
         private final Flattening flattening;
         private final StateMachine machine;
@@ -118,7 +118,7 @@ class FlatteningEquivalenceTest {
             assertThat(expected).as(what + ": nothing is accepted in " + state).isNull();
         }
 
-        /** With the guards of the first transition that counts. */
+        /** The event with the guards of the first transition that applies. */
         private Event resolve(String event, Map<String, Boolean> values) {
             return machine.transitionsFrom(state).stream()
                     .map(Transition::event)

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What has no flat machine, or no meaning, is refused with its place and how to fix it. */
+/** Charts without a flat machine or without a meaning are refused with the place and a remedy. */
 class FlatteningRefusalTest {
 
     /** The chart: i to A, states A, B and C, where C has the regions {D, E} and {F}, and a pseudostate of each kind. */
@@ -159,7 +159,7 @@ class FlatteningRefusalTest {
     }
 
     @Test
-    void shouldRefuseADepthThatNobodyDrawsWithoutOverflow() {
+    void shouldRefuseAnUnrealisticDepthWithoutOverflow() {
         Vertex inner = state("s");
         for (int level = 0; level < 100_000; level++) {
             inner = state("s" + level, region(inner));

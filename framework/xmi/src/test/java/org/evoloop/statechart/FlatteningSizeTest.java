@@ -16,11 +16,11 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What regions side by side multiply to is known before it is built. */
+/** The size of the product of parallel regions is checked before it is built. */
 @Timeout(60)
 class FlatteningSizeTest {
 
-    /** @param event of all regions; with {@code #} in it one of each */
+    /** @param event the event of all regions; if it contains {@code #}, each region has its own */
     private static Statechart lamps(int regions, String event) {
         List<Region> side = new ArrayList<>();
         List<Arc> arcs = new ArrayList<>(List.of(arc("i P")));
@@ -54,7 +54,7 @@ class FlatteningSizeTest {
                 });
     }
 
-    /** 2 to the 200th combinations, of which two are ever reached. */
+    /** 2 to the 200th combinations, only two of which are reachable. */
     @Test
     void shouldFlattenRegionsThatChangeTogether() {
         Flattening flattening = Flattening.of(lamps(200, "e"));
@@ -71,7 +71,7 @@ class FlatteningSizeTest {
         assertThat(flattening.machine().transitions()).hasSize(10_240);
     }
 
-    /** Each history remembers one of 50 states, or none. */
+    /** Each history remembers one of 50 states or none. */
     @Test
     void shouldCountWhatHistoriesRemember() {
         List<Vertex> vertices = new ArrayList<>(List.of(initial("i"), state("Start")));

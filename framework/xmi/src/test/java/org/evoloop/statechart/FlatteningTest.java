@@ -250,7 +250,7 @@ class FlatteningTest {
     }
 
     @Test
-    void whatAHistoryRemembersTellsStatesApartOnlyWhereItMatters() {
+    void whatAHistoryRemembersSplitsStatesOnlyWhereItMatters() {
         Region inner = region(initial("j"), state("B"), state("C"), pseudo("h", Kind.SHALLOW_HISTORY));
         Statechart matters = chart(
                 region(initial("i"), state("A", inner), state("off")),
@@ -274,7 +274,7 @@ class FlatteningTest {
     }
 
     @Test
-    void eachFlatStateTellsWhatIsActiveInIt() {
+    void eachFlatStateShowsWhatIsActiveInIt() {
         Statechart chart = chart(
                 region(initial("i"), state("A", region(initial("j"), state("B")), region(initial("k"), state("C")))),
                 arc("i A"),

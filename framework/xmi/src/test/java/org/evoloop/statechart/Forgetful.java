@@ -9,7 +9,7 @@ import org.evoloop.statechart.Vertex.ChartState;
 import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.statechart.Vertex.Pseudostate;
 
-/** Charts that remember much, and the same charts without histories: what led to one leads to the state around it. */
+/** Charts with many histories, and the same charts without: transitions to a history lead to the state around it. */
 final class Forgetful {
     private final Map<String, String> ownerOfHistory = new LinkedHashMap<>();
     private final List<Arc> ways = new ArrayList<>();
@@ -75,8 +75,8 @@ final class Forgetful {
     }
 
     /**
-     * The chart with transitions that go round in each region, and from each state of the top region to each history;
-     * empty if it has no history.
+     * The chart with added transitions, round each region and from each state of the top region to each history; empty
+     * if it has no history.
      */
     static Optional<Statechart> busier(Statechart chart) {
         Forgetful forgetful = new Forgetful();

@@ -20,11 +20,11 @@ import org.evoloop.statechart.Vertex.Pseudostate;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Runs a statechart as UML 2.5.1 (clause 14.2.3) says, vertex by vertex and without any preparation. Slow and simple;
- * it shares nothing with {@link Flattening} but the choices that its Javadoc states.
+ * Runs a statechart according to UML 2.5.1 (clause 14.2.3), vertex by vertex and without any preparation. Slow and
+ * simple; shares with {@link Flattening} only the choices that its Javadoc states.
  */
 final class Interpreter {
-    /** Of an event: the name of the state whose timer or activity it is follows behind the text. */
+    /** In an event, separates the text from the name of the state to whose timer or activity it belongs. */
     static final String OWNER = "@";
 
     private final Statechart chart;
@@ -48,7 +48,7 @@ final class Interpreter {
         this.drawing = new Drawing(chart);
     }
 
-    /** What ran when the machine started. */
+    /** The behaviours that ran when the machine started. */
     List<String> start(Predicate<String> guardValues) {
         begin(guardValues);
         chart.regions().forEach(region -> enter(region, Set.of()));
@@ -56,7 +56,7 @@ final class Interpreter {
         return actions;
     }
 
-    /** What an event made run; null if nothing was enabled. */
+    /** The behaviours that an event ran; null if no transition was enabled. */
     @Nullable
     List<String> dispatch(String event, Predicate<String> guardValues) {
         begin(guardValues);
@@ -112,7 +112,7 @@ final class Interpreter {
                 .toList();
     }
 
-    /** Time triggers of active states, each with the event's number at which its state was entered. */
+    /** Time triggers of active states, each with the number of the event on which its state was entered. */
     List<String> timers() {
         return activeStates()
                 .flatMap(state -> drawing.leaving(state)
@@ -191,7 +191,7 @@ final class Interpreter {
         return own.isEmpty() && state.deferred().contains(event) ? List.of(List.of()) : own;
     }
 
-    /** The path that the first of some arcs opens: guarded arcs, plain arcs, else. */
+    /** The path of the first enabled arc: guarded arcs first, then plain arcs, then else. */
     private List<List<Arc>> choose(Stream<Arc> candidates) {
         for (Arc arc : candidates.sorted(Comparator.comparingInt(this::rank)).toList()) {
             List<Arc> path = isTrue(arc) ? extend(arc, List.of()) : null;
@@ -359,7 +359,7 @@ final class Interpreter {
         }
     }
 
-    /** Enters the states between a region and the innermost of some regions, and nothing else of them. */
+    /** Enters only the states between a region and the innermost of some regions. */
     private void open(List<Region> regions, Region scope, Set<ChartState> opened) {
         boolean inside = false;
         for (int i = 0; i < regions.size() - 1; i++) {

@@ -8,7 +8,7 @@ import org.evoloop.statechart.Vertex.FinalState;
 import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.statechart.Vertex.Pseudostate;
 
-/** Draws statecharts of every construct, small enough to be read when a test fails. */
+/** Random statecharts with every construct, small enough to be read when a test fails. */
 final class RandomChart {
     static final List<String> EVENTS = List.of("a", "b", "c", "tm(1s)", "tm(2s)");
     static final List<String> GUARDS = List.of("g", "h");
@@ -18,7 +18,7 @@ final class RandomChart {
     private final List<ChartState> states = new ArrayList<>();
     private final List<String> targets = new ArrayList<>();
     private final List<Arc> arcs = new ArrayList<>();
-    /** Forks and joins, which stand in the top region. */
+    /** Forks and joins, which are in the top region. */
     private final List<Vertex> extras = new ArrayList<>();
 
     private final List<Runnable> later = new ArrayList<>();
@@ -29,7 +29,7 @@ final class RandomChart {
         this.size = size;
     }
 
-    /** @param size the number of states from which on no state gets inner ones */
+    /** @param size the number of states after which no state gets substates */
     static Statechart draw(Random random, int size) {
         return new RandomChart(random, size).draw();
     }

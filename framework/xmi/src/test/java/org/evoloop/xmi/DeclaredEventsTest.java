@@ -10,7 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** A model says itself which events the device takes of its own accord, in every dialect. */
+/** In every dialect, a model can declare which events the device does by itself. */
 class DeclaredEventsTest {
     private static final String UML_2 = """
             <uml:Model xmi:version="20131001" xmlns:xmi="http://www.omg.org/spec/XMI/20131001"

@@ -41,7 +41,7 @@ class ModelFilesFindTest {
     }
 
     @Test
-    void thenTheHomeThatWasTold(@TempDir Path home) throws IOException {
+    void thenTheConfiguredHome(@TempDir Path home) throws IOException {
         System.setProperty("evoloop.home", home.toString());
         Path model = Files.createFile(home.resolve("model.xml"));
 

@@ -10,7 +10,7 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 import org.junit.jupiter.api.Test;
 
-/** The models that the applications run on, member by member. */
+/** The applications' models, element by element. */
 class ModelFilesTest {
     private static final Path MODELS = Path.of(System.getProperty("evoloop.root"), "models");
 

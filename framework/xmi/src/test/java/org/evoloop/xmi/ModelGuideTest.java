@@ -11,7 +11,7 @@ import java.util.regex.Pattern;
 import org.evoloop.statemachine.StateMachine;
 import org.junit.jupiter.api.Test;
 
-/** The examples of the page on models without Astah are read, and say the same. */
+/** The examples of the page on models without Astah can be read, and all mean the same. */
 class ModelGuideTest {
 
     @Test

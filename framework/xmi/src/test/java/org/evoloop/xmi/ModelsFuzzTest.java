@@ -16,8 +16,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Whatever a model file holds, it is read, or refused with a message. CONTRIBUTING.md tells how to let Jazzer look for
- * more.
+ * Whatever a model file contains, it is read or refused with a message. CONTRIBUTING.md says how to let Jazzer search
+ * for more.
  */
 @Timeout(30)
 class ModelsFuzzTest {
@@ -44,7 +44,7 @@ class ModelsFuzzTest {
         }
     }
 
-    /** A file of each dialect: Astah's, SCXML, UML 2; and two that are none. */
+    /** A file in each dialect (Astah's, SCXML, UML 2), and two in none. */
     static List<byte[]> seeds() throws IOException {
         Path root = Path.of(System.getProperty("evoloop.root"));
         List<byte[]> seeds = new ArrayList<>();

@@ -21,7 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Whatever a file is, reading it gives machines or one clear message. */
+/** Reading any file gives machines or one clear message. */
 class XmiInputTest {
     @TempDir
     Path directory;
@@ -69,7 +69,7 @@ class XmiInputTest {
     }
 
     @Test
-    void shouldRefuseWhatIsNoFileOrCannotBeRead() throws IOException {
+    void shouldRefuseWhatIsNotAFileOrCannotBeRead() throws IOException {
         assertRefused(directory, "is a directory; name a file in it");
         assertRefused(directory.resolve("missing.xml"), "does not exist; correct the path");
         Path secret = Files.writeString(directory.resolve("secret.xml"), HEAD);
@@ -90,7 +90,10 @@ class XmiInputTest {
         assertRefused(Files.write(directory.resolve("zeros"), new byte[100]), "is damaged or not XML, ");
     }
 
-    /** A flipped bit, a lost or a doubled piece may leave a good machine; anything else must be a clear message. */
+    /**
+     * With a flipped bit, or a lost or doubled piece, a machine may still be valid; otherwise there must be a clear
+     * message.
+     */
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4})
     void shouldSurviveDamagedFiles(long seed) throws IOException {

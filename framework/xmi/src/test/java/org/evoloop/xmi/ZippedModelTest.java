@@ -13,7 +13,7 @@ import org.evoloop.statemachine.ModelException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Projects that are a zip with a document in it. */
+/** Projects that are zip files with a document in them. */
 class ZippedModelTest {
     private static final String DOCUMENT = """
             <XMI xmi.version='1.2' xmlns:UML='org.omg.xmi.namespace.UML'>

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 class DisturbedBenchTest {
     private static final long DAY_NANOS = Duration.ofDays(1).toNanos();
 
-    /** So much room that nothing is lost for the lack of it. */
+    /** A queue so long that no event is lost in it. */
     private static final int ROOM = 200;
 
     private static Bench afterADay(Disturbances disturbances) {
@@ -47,7 +47,7 @@ class DisturbedBenchTest {
             assertThat(lostPerSecond(without)).isGreaterThan(1.2 * lostPerSecond(with));
             assertThat(without.agreement.divergedNanos()).isPositive();
             assertThat(without.agreement.wrongNanos(0, DAY_NANOS) / (double) DAY_NANOS)
-                    .as("two of three while a process runs")
+                    .as("two out of three while a process runs")
                     .isBetween(0.56, 0.72);
         }
     }
@@ -72,7 +72,7 @@ class DisturbedBenchTest {
     void aDeviceThatIsOperatedIsWhereItIsFound() {
         try (Bench bench = afterADay(new Disturbances(0, 0, false, 60, 20, 0.1, 0, 0))) {
             assertThat(bench.agreement.wrongNanos(0, DAY_NANOS) / (double) DAY_NANOS)
-                    .as("only while it is out of sight")
+                    .as("only while the robot is unreachable")
                     .isBetween(0.1, 0.25);
             assertThat(bench.device.lost().size()).isZero();
         }

@@ -20,7 +20,7 @@ class SamplesTest {
     }
 
     @Test
-    void tellsWaitsApartByWholeSeconds() {
+    void distinguishesWaitsByWholeSeconds() {
         WaitBatch batch = new WaitBatch(2);
         for (long millis : new long[] {500, 1000, 1500, 9000}) {
             batch.add(Duration.ofMillis(millis));

@@ -89,8 +89,8 @@ final class ObeyWatch {
         int direction = Math.abs(counts) <= 1 ? 0 : Integer.signum(counts);
         for (Command each : commands) {
             int speed = wheel.applyAsInt(each.wheels());
-            boolean tooSlowToTell = speed != 0 && Math.abs(speed) < Maneuver.SLOWEST_MM_PER_S;
-            if (tooSlowToTell || Integer.signum(speed) == direction) {
+            boolean tooSlowToMeasure = speed != 0 && Math.abs(speed) < Maneuver.SLOWEST_MM_PER_S;
+            if (tooSlowToMeasure || Integer.signum(speed) == direction) {
                 return false;
             }
         }

@@ -22,11 +22,13 @@ class ObeyWatchTest {
         return millis * 1_000_000;
     }
 
-    private void tell(int rightMmPerS, int leftMmPerS) {
+    private void drive(int rightMmPerS, int leftMmPerS) {
         watch.commanded(new DriveDirect(rightMmPerS, leftMmPerS), nanos(nowMillis));
     }
 
-    /** The wheels turn by so many counts a frame; returns after how many ms that was found wrong, -1 if it was not. */
+    /**
+     * The wheels turn by this many counts per frame; returns the ms after which that was found wrong, -1 if it was not.
+     */
     private long turn(int rightCounts, int leftCounts, int millis, boolean underControl) {
         long began = nowMillis;
         while (nowMillis - began < millis) {
@@ -52,45 +54,45 @@ class ObeyWatchTest {
 
     @Test
     void aRobotThatObeysIsFoundRight() {
-        tell(85, 85);
+        drive(85, 85);
         assertThat(turn(3, 3, 3_000, true)).isEqualTo(-1);
-        tell(-40, 40);
+        drive(-40, 40);
         assertThat(turn(3, 3, 150, true)).as("it needs a moment").isEqualTo(-1);
         assertThat(turn(-1, 1, 3_000, true)).isEqualTo(-1);
-        tell(0, 0);
+        drive(0, 0);
         assertThat(turn(-1, 1, 150, true)).isEqualTo(-1);
         assertThat(turn(0, 0, 3_000, true)).isEqualTo(-1);
     }
 
     @Test
-    void aRobotThatGoesOnWithWhatItWasToldBeforeIsFoundOutWithin2Seconds() {
-        tell(85, 85);
+    void aRobotThatKeepsObeyingAnEarlierCommandIsDetectedWithin2Seconds() {
+        drive(85, 85);
         turn(3, 3, 1_000, true);
-        tell(0, 0);
+        drive(0, 0);
         assertThat(turn(3, 3, 5_000, true)).isBetween(1_000L, 2_000L);
-        assertThat(turn(3, 3, 5_000, true)).as("it is told once").isEqualTo(-1);
+        assertThat(turn(3, 3, 5_000, true)).as("reported once").isEqualTo(-1);
     }
 
     @Test
-    void aWheelThatStandsThoughItIsToldToTurnIsFoundOut() {
-        tell(0, 0);
+    void aWheelThatStandsStillDespiteACommandIsDetected() {
+        drive(0, 0);
         turn(0, 0, 1_000, true);
-        tell(85, 85);
+        drive(85, 85);
         assertThat(turn(3, 0, 5_000, true)).isBetween(1_000L, 2_000L);
     }
 
     @Test
-    void aRobotOutOfControlObeysNobody() {
-        tell(85, 85);
+    void aRobotOutOfControlDoesNotObey() {
+        drive(85, 85);
         assertThat(turn(0, 0, 5_000, false)).isEqualTo(-1);
     }
 
     @Test
     void phasesThatChangeFasterThanItReactsAreNoProof() {
         for (int turn = 0; turn < 20; turn++) {
-            tell(85, 85);
+            drive(85, 85);
             assertThat(turn(0, 0, 210, true)).isEqualTo(-1);
-            tell(0, 0);
+            drive(0, 0);
             assertThat(turn(0, 0, 210, true)).isEqualTo(-1);
         }
     }

@@ -65,7 +65,7 @@ class SimulatorServerTest {
     @TempDir
     Path folder;
 
-    /** A client of the serial port, as the application is one. */
+    /** A client of the serial port, like the application. */
     private static final class Client implements AutoCloseable {
         private final List<SensorValues> frames = new CopyOnWriteArrayList<>();
         private final StreamFramer framer = new StreamFramer(WATCHED);
@@ -135,7 +135,7 @@ class SimulatorServerTest {
 
             List<SensorValues> frames = List.copyOf(client.frames);
             assertThat(frames.stream().filter(frame -> frame.currentMilliAmps() < -300))
-                    .as("10 s of cleaning, but for frames lost by a client that was too slow")
+                    .as("10 s of cleaning, except for frames that the client was too slow to read")
                     .hasSizeBetween(300, 690);
             assertThat(frames).anyMatch(frame -> frame.value(Packet.BUTTONS) == 2);
             assertThat(frames).allMatch(frame -> frame.mode().orElseThrow() == OiMode.PASSIVE);
@@ -143,7 +143,7 @@ class SimulatorServerTest {
     }
 
     @Test
-    void theRobotGoesOnWhileClientsComeAndGo() throws IOException {
+    void theRobotContinuesWhileClientsComeAndGo() throws IOException {
         try (Clock clock = new SystemClock();
                 SimulatorServer server = SimulatorServer.start(port(), RobotOptions.defaults(), clock, 5)) {
             try (Client first = new Client(server.path())) {
@@ -194,7 +194,7 @@ class SimulatorServerTest {
                     client.send(START);
                     await().until(() -> server.robot().state().oiMode() == OiMode.PASSIVE);
                 }
-                // 301 s of the robot's.
+                // 301 s of the robot's time.
                 clock.advance(Duration.ofMillis(301));
                 await().until(() -> server.robot().state().asleep());
                 try (Client client = new Client(server.path())) {
@@ -214,7 +214,7 @@ class SimulatorServerTest {
     }
 
     @Test
-    void aClientWithAnotherBaudRateHearsGarbage() throws IOException {
+    void aClientWithAnotherBaudRateReceivesGarbage() throws IOException {
         RobotOptions options = RobotOptions.builder().baud(19_200).build();
         try (Clock clock = new SystemClock();
                 SimulatorServer server = SimulatorServer.start(port(), options, clock, 5)) {

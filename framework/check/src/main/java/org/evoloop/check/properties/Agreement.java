@@ -27,14 +27,14 @@ final class Agreement {
     void add(Assumption assumption, int line) {
         Integer other = lines.putIfAbsent(assumption.about(), line);
         if (other != null) {
-            tell(line, "line " + other + " already says how long that is; remove one of the two");
+            add(line, "line " + other + " already says how long that is; remove one of the two");
         }
     }
 
     void add(Reaction reaction, int line) {
         Integer other = lines.putIfAbsent("violation of " + reaction.property(), line);
         if (other != null) {
-            tell(line, "line " + other + " already says what is raised then; remove one of the two");
+            add(line, "line " + other + " already says what is raised then; remove one of the two");
         }
         reactions.put(reaction, line);
     }
@@ -42,13 +42,13 @@ final class Agreement {
     void add(TimeProperty property) {
         for (TimeProperty other : properties) {
             if (other.name().equals(property.name())) {
-                tell(
+                add(
                         property.line(),
                         "line " + other.line() + " has the name '" + other.name() + "', too; give one of them another");
             }
             contradiction(property.form(), other.form())
                     .or(() -> contradiction(other.form(), property.form()))
-                    .ifPresent(why -> tell(
+                    .ifPresent(why -> add(
                             property.line(),
                             "this contradicts line " + other.line() + ": " + why + "; change one of them"));
         }
@@ -78,14 +78,14 @@ final class Agreement {
                 : Optional.empty();
     }
 
-    private void tell(int line, String problem) {
+    private void add(int line, String problem) {
         problems.add(file + ", line " + line + ": " + problem);
     }
 
     List<String> problems() {
         reactions.forEach((reaction, line) -> {
             if (properties.stream().noneMatch(each -> each.name().equals(reaction.property()))) {
-                tell(
+                add(
                         line,
                         "no time property is named '" + reaction.property() + "'; there "
                                 + (properties.isEmpty() ? "is none" : "are " + names()));

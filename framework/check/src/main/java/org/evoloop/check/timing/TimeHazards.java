@@ -105,7 +105,7 @@ final class TimeHazards implements Exploration.Judge {
             changed = false;
             for (int index = blocked.size() - 1; index >= 0; index--) {
                 int number = blocked.get(index);
-                if (stuck.get(number) && goesOn(number, stuck, row, next)) {
+                if (stuck.get(number) && continues(number, stuck, row, next)) {
                     stuck.clear(number);
                     changed = true;
                 }
@@ -115,7 +115,7 @@ final class TimeHazards implements Exploration.Judge {
         return List.copyOf(found.values());
     }
 
-    private boolean goesOn(int number, BitSet stuck, int[] row, int[] next) {
+    private boolean continues(int number, BitSet stuck, int[] row, int[] next) {
         exploration.visited.get(number, exploration.clocks.packing, row);
         for (Move move : exploration.moves.unasked(row)) {
             exploration.rows.happen(row, move.edge(), move.coming(), move.owed(), next);

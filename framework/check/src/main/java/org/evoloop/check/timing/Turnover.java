@@ -90,15 +90,15 @@ final class Turnover implements Outputs {
 
     /** Continues until only waiting is left. */
     private Turnover settle() {
-        boolean goesOn = true;
-        while (goesOn) {
+        boolean continues = true;
+        while (continues) {
             Output next = toDo.poll();
             if (next != null) {
-                goesOn = carryOut(next);
+                continues = carryOut(next);
             } else {
                 boolean mayBegin = !core.isBusy() && core.hasNext();
                 core.ready();
-                goesOn = mayBegin && !toDo.isEmpty();
+                continues = mayBegin && !toDo.isEmpty();
             }
         }
         return this;

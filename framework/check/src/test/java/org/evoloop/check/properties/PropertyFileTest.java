@@ -14,7 +14,7 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.ModelException;
 import org.junit.jupiter.api.Test;
 
-/** What an author may write beside the models, and what is said of mistakes. */
+/** What a property file may contain, and how mistakes in it are reported. */
 class PropertyFileTest {
     private static final ModelPair LAMP = new ModelPair(
             lamp("original").build(),
@@ -88,7 +88,7 @@ class PropertyFileTest {
         assertThatThrownBy(() -> PropertyFile.parse("lamp.txt", text, LAMP))
                 .isInstanceOf(ModelException.class)
                 .message()
-                .satisfies(told -> assertThat(told.lines().toList())
+                .satisfies(error -> assertThat(error.lines().toList())
                         .hasSameSizeAs(messages)
                         .zipSatisfy(
                                 List.of(messages),

@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What an author may write of time, and what is said of mistakes. */
+/** What a property file may say about time, and how mistakes in it are reported. */
 class TimeLinesTest {
     private static final ModelPair LAMP = new ModelPair(
             lamp("original").build(),

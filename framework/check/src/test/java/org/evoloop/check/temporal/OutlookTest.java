@@ -14,7 +14,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What can happen to the cleaning robot; {@code ModelCheckerTest} of the tool holds it against a model checker. */
+/**
+ * What can happen to the cleaning robot; {@code ModelCheckerTest} of {@code framework/models} compares it with a model
+ * checker.
+ */
 class OutlookTest {
     private static final ModelPair ROBOT = robot();
     private static final Outlook OUTLOOK = new Outlook(DecisionTable.compile(

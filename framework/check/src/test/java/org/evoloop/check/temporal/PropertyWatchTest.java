@@ -22,7 +22,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.xmi.XmiFile;
 import org.junit.jupiter.api.Test;
 
-/** What happens to the cleaning robot, as it is told. */
+/** Properties watched while the cleaning robot receives events. */
 class PropertyWatchTest {
     private static final ModelPair ROBOT = robot();
     private static final DecisionTable TABLE = DecisionTable.compile(
@@ -46,7 +46,7 @@ class PropertyWatchTest {
         return watch.standing(watch.properties().get(0));
     }
 
-    /** The events in turn, as the robot's converter decides them; the name of what broke, if anything did. */
+    /** Plays the events in turn as the robot's converter decides them; returns what broke, and on which event. */
     private static List<String> play(PropertyWatch watch, Configuration from, String... events) {
         Configuration at = from;
         for (String event : events) {
@@ -73,7 +73,7 @@ class PropertyWatchTest {
         assertThat(play(watch, at("Clean", "Clean"), "Clean", "timeout")).containsExactly("a by Clean");
         assertThat(watch.broken()).extracting(Property::name).containsExactly("a");
         assertThat(play(watch, at("On", "On"), "Spot"))
-                .as("another is watched on")
+                .as("another property is still watched")
                 .containsExactly("b by Spot");
     }
 
@@ -102,7 +102,7 @@ class PropertyWatchTest {
                         "arriveSpot"))
                 .containsExactly("always (Spot implies can Off) by arriveSpot");
         assertThat(watch(at("Spot", "Move"), "can Spot", "always can On").broken())
-                .as("where events as they should go never lead")
+                .as("a situation that events cannot lead to if nothing fails")
                 .isEmpty();
     }
 
@@ -124,7 +124,7 @@ class PropertyWatchTest {
         Occurrence found = new Occurrence.Found(new State("On"), 1);
         assertThat(watch.ended(found, at("On", "On"), Outcome.HANDLED, null)).isEmpty();
         assertThat(watch.ended(heard("Spot"), at("On", "Move"), Outcome.FAILED, null))
-                .as("it has moved something all the same")
+                .as("it has moved all the same")
                 .extracting(Property::name)
                 .containsExactly("never event Spot");
     }

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What the monitors see, seen by reelay and RTAMT in the same traces: ./evoloop test --oracles. */
+/** The monitors find what reelay and RTAMT find in the same traces: ./evoloop test --oracles. */
 @Tag("slow")
 @EnabledIfEnvironmentVariable(named = "EVOLOOP_ORACLES", matches = ".+")
 class MonitorOracleTest {
@@ -25,7 +25,7 @@ class MonitorOracleTest {
     @TempDir
     private Path directory;
 
-    /** @param codes a moment each tick: bit 0 the subject, bit 1 the other */
+    /** @param codes one character per tick: bit 0 is the subject, bit 1 the other */
     private record Trace(String form, int length, String codes) {
         static Trace of(Random random) {
             List<String> forms = List.of("response", "longest", "shortest", "before", "count");
@@ -49,7 +49,10 @@ class MonitorOracleTest {
             };
         }
 
-        /** Where the first violation is seen; -1 if there is none. What time alone shows belongs to the tick before. */
+        /**
+         * The tick of the first violation; -1 if there is none. A violation shown by time alone belongs to the tick
+         * before.
+         */
         int firstViolation() {
             TimeMonitor monitor = TimeMonitor.of(timeForm(), 1);
             for (int tick = 0; tick < codes.length(); tick++) {

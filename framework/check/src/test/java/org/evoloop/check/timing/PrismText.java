@@ -17,9 +17,9 @@ import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A {@link RandomTiming} as a Markov decision process with digital clocks in PRISM's language, made of the decisions
- * and nothing of what is to be checked by it. A place is a configuration, or one in which a step of a decision is on
- * its way.
+ * A {@link RandomTiming} as a Markov decision process with digital clocks in PRISM's language, generated from the
+ * decisions without using any of the code that it checks. A place is a configuration, or a configuration in which a
+ * step of a decision is being sent.
  */
 final class PrismText {
     private static final int NONE = -1;
@@ -34,7 +34,7 @@ final class PrismText {
     private final List<String> commands = new ArrayList<>();
     private final List<String> blocked = new ArrayList<>();
 
-    /** @param decision whose step number {@code step} is on its way; null if nothing is */
+    /** @param decision whose step number {@code step} is being sent; null if none is */
     private record Place(Configuration at, @Nullable Decision decision, int step) {}
 
     private PrismText(RandomTiming timing) {
@@ -45,7 +45,7 @@ final class PrismText {
         this.unit = 500_000_000;
     }
 
-    /** With the label {@code bad} where the property is violated. */
+    /** The model, with the label {@code bad} where the property is violated. */
     static String of(RandomTiming timing) {
         return new PrismText(timing).write();
     }
@@ -95,7 +95,7 @@ final class PrismText {
                 (timing.file().time().assumptions(Assumption.Gap.class).get(0).minNanos() / unit);
     }
 
-    /** How many ticks may pass; -1 if that violates nothing. */
+    /** How many ticks may pass; -1 if passing time violates nothing. */
     private long bound() {
         if (form instanceof TimeForm.Response response) {
             return response.span().maxNanos() / unit;
@@ -149,7 +149,7 @@ final class PrismText {
         if (place.decision() == null) {
             way.decide(event);
         } else {
-            // It is lost: nothing waits.
+            // The event is lost, since there is no queue.
             way.arrive(place, "t");
         }
     }
@@ -164,7 +164,7 @@ final class PrismText {
                 .orElse(new Span(0, 0));
     }
 
-    /** What is seen of the subject along one command, beginning with {@code x} as it is. */
+    /** The observations of the subject along one command, starting with the present {@code x}. */
     private final class Watching {
         static final int KEPT = -2;
 
@@ -186,7 +186,7 @@ final class PrismText {
                 if ((code & 2) != 0) {
                     age = NONE;
                 } else if (begins && age == KEPT) {
-                    // The oldest counts.
+                    // The oldest one counts.
                     badIf = "keep";
                     age = KEPT - 1;
                 } else if (begins && age == NONE) {
@@ -207,7 +207,7 @@ final class PrismText {
             }
         }
 
-        /** The first value, where nothing was before. */
+        /** The initial value. */
         int first() {
             return age == KEPT ? NONE : age == KEPT - 1 ? 0 : age;
         }
@@ -219,7 +219,7 @@ final class PrismText {
         }
     }
 
-    /** One command, from its guard to where it leads. */
+    /** One command, from its guard to its target. */
     private final class Way {
         private final String guard;
         private final int gapAfter;

@@ -13,7 +13,7 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.StateMachineBuilder;
 
 /**
- * A small evolution with one time property, made up: two states of the device and two new ones with timers, steps that
+ * A small random evolution with one time property: two states of the device and two new ones with timers, steps that
  * take time, and no queue.
  */
 record RandomTiming(ModelPair pair, PropertyFile file) {
@@ -21,7 +21,7 @@ record RandomTiming(ModelPair pair, PropertyFile file) {
     private static final List<String> ALL = List.of("A", "B", "X", "Y");
     private static final List<String> EVENTS = List.of("a", "b", "c");
 
-    /** The one of this seed; empty if that is no evolution that can be carried out. */
+    /** The evolution of this seed; empty if it cannot be carried out. */
     static Optional<RandomTiming> of(long seed) {
         Random random = new Random(seed);
         StateMachineBuilder original = StateMachine.named("original").initial("A");

@@ -22,9 +22,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What is decided of time before anything runs. */
+/** Time properties that are decided before anything runs. */
 class TimeCheckTest {
-    /** A lamp that goes off by itself 5 s after it was turned down, and whose new model turns it down. */
+    /** A lamp that switches itself off 5 s after it was dimmed, with a new model that dims it. */
     private static final ModelPair LAMP = new ModelPair(
             lamp("original").build(),
             lamp("new")
@@ -81,7 +81,7 @@ class TimeCheckTest {
     }
 
     @Test
-    void theShortestWayIsToldWithTimes() {
+    void theShortestPathIsReportedWithTimes() {
         TimeReport report = check(LAMP, "takes press 1 s .. 2 s", "queue 1", "Dim never longer than 6 s");
 
         assertThat(report.findings().get(0).timed())

@@ -13,7 +13,7 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.junit.jupiter.api.Test;
 
-/** Time properties over what happens, told by hand. */
+/** Time properties on handwritten sequences of events. */
 class TimeWatchTest {
     private static final ModelPair ROBOT = PaperModels.cleaningRobot();
     private static final long SECOND = 1_000_000_000;
@@ -45,7 +45,7 @@ class TimeWatchTest {
     }
 
     @Test
-    void whatWasObservedBeforeMayBeToldAfter() {
+    void whatWasObservedBeforeMayBeReportedAfter() {
         TimeWatch watch = watch("event Spot at most 1 times in 1 s");
         watch.comes(SPOT, ON, 5 * SECOND);
         watch.comes(SPOT, ON, 4 * SECOND);

@@ -25,7 +25,7 @@ import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** Time properties of a converter that runs. */
+/** Time properties of a running converter. */
 class WatchedConverterTest {
     private static final ModelPair LAMP = new ModelPair(
             lamp("original").build(),
@@ -94,7 +94,7 @@ class WatchedConverterTest {
 
     private void steps() {
         while (converter.step()) {
-            // Until nothing is left to do.
+            // Until nothing is left to process.
         }
     }
 
@@ -111,7 +111,7 @@ class WatchedConverterTest {
     }
 
     @Test
-    void whatLastsTooLongIsToldWhenItDoes() throws InterruptedException {
+    void whatLastsTooLongIsReportedWhenItDoes() throws InterruptedException {
         start("It is not dim for long: Dim never longer than 5 s");
         press("press", "dim");
         pass(Duration.ofSeconds(5));
@@ -119,10 +119,10 @@ class WatchedConverterTest {
 
         pass(Duration.ofMillis(5));
         assertThat(violations()).containsExactly("violation of It is not dim for long");
-        HistoryEntry told = heard.get(heard.size() - 1);
-        assertThat(told.outcome()).isEqualTo(Outcome.FAILED);
-        assertThat(told.occurrence()).isInstanceOf(Occurrence.Violated.class);
-        assertThat(told.after().evolved()).hasToString("Dim");
+        HistoryEntry entry = heard.get(heard.size() - 1);
+        assertThat(entry.outcome()).isEqualTo(Outcome.FAILED);
+        assertThat(entry.occurrence()).isInstanceOf(Occurrence.Violated.class);
+        assertThat(entry.after().evolved()).hasToString("Dim");
 
         pass(Duration.ofHours(1));
         assertThat(violations()).hasSize(1);
@@ -146,7 +146,7 @@ class WatchedConverterTest {
     }
 
     @Test
-    void whatComesTooSoonOrTooOftenIsToldAtOnce() throws InterruptedException {
+    void whatComesTooSoonOrTooOftenIsReportedAtOnce() throws InterruptedException {
         start("a: Dim only after 3 s of On", "b: event press at most 2 times in 1 s");
         press("press");
         pass(Duration.ofSeconds(2));

@@ -77,7 +77,7 @@ final class VisitTasks {
         while (!over) {
             try {
                 due.take().run();
-            } catch (InterruptedException told) {
+            } catch (InterruptedException interrupted) {
                 // The visit is over, or a task interrupted itself; the condition above distinguishes the two.
             }
         }

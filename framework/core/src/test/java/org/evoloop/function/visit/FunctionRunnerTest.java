@@ -55,7 +55,7 @@ class FunctionRunnerTest {
 
     @Test
     @Timeout(60)
-    void anInterruptOfWhoeverEndsAFunctionDoesNotCutTheWaitShort() throws Exception {
+    void anInterruptOfTheThreadThatEndsAFunctionDoesNotCutTheWaitShort() throws Exception {
         FunctionRunner runner = new FunctionRunner(host, Duration.ofSeconds(20));
         Thread caller = Thread.currentThread();
         CountDownLatch started = new CountDownLatch(1);

@@ -12,7 +12,7 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.time.SetClock;
 
-/** Stands in for the converter of a visit and notes what the visit tells it. */
+/** Stands in for the converter of a visit and records what the visit reports to it. */
 public final class VisitLog implements VisitHost {
     private static final int PATIENCE_SECONDS = 20;
 
@@ -54,7 +54,7 @@ public final class VisitLog implements VisitHost {
 
     @Override
     public void requireKnown(Event event) {
-        // Everything is known here.
+        // Every event is known here.
     }
 
     @Override

@@ -35,7 +35,7 @@ class VisitTest {
     }
 
     @Test
-    void whatFinishesWithinTheFunctionIsToldWhenItHasReturned() {
+    void whatFinishesWithinTheFunctionIsReportedWhenItHasReturned() {
         visit.run(running -> {
             running.finish("arriveSpot");
             assertThat(log.events).isEmpty();
@@ -74,7 +74,7 @@ class VisitTest {
     }
 
     @Test
-    void nothingIsHeardOfAVisitThatIsOver() throws InterruptedException {
+    void nothingIsReceivedFromAVisitThatIsOver() throws InterruptedException {
         visit.end();
         visit.raise("halfway");
         visit.finish("arriveSpot");
@@ -146,7 +146,7 @@ class VisitTest {
     }
 
     @Test
-    void tellsWhatItIs() {
+    void describesItself() {
         assertThat(visit).hasToString("visit 1 of Move");
         assertThat(visit.state()).isEqualTo(new State("Move"));
         assertThat(visit.clock()).isSameAs(log.clock);

@@ -13,14 +13,14 @@ final class TimedExample {
 
     /** {@code at 0 s start (Off, Off); at 1.5 s Clean -> (On, On)}. */
     static String text(List<TimedEvent> events) {
-        List<String> told = new ArrayList<>();
+        List<String> steps = new ArrayList<>();
         for (TimedEvent event : events.subList(0, events.size() - 1)) {
-            told.add("at " + Span.length(event.atNanos()) + " " + event.what() + " -> " + event.after()
+            steps.add("at " + Span.length(event.atNanos()) + " " + event.what() + " -> " + event.after()
                     + (event.step().isEmpty() ? "" : ", sending " + event.step()));
         }
         TimedEvent last = events.get(events.size() - 1);
-        told.add("at " + Span.length(last.atNanos()) + " " + last.what());
-        return String.join("; ", told);
+        steps.add("at " + Span.length(last.atNanos()) + " " + last.what());
+        return String.join("; ", steps);
     }
 
     /** The timing diagram of {@code finding}, which has timed events. */

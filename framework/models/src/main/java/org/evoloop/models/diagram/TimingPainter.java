@@ -98,10 +98,10 @@ final class TimingPainter {
         for (int index = 0; index < timing.moments().size(); index++) {
             int level = states.indexOf(timing.moments().get(index).states().get(lane));
             double y = top + LANE + level * LEVEL + LEVEL / 2;
-            boolean goesOn = index > 0
+            boolean continues = index > 0
                     && !timing.moments().get(index - 1).states().get(lane).isEmpty();
             if (level >= 0) {
-                path.append(goesOn ? " L" : " M").append(Svg.pair(columns[index], y));
+                path.append(continues ? " L" : " M").append(Svg.pair(columns[index], y));
                 path.append(" L").append(Svg.pair(columns[index + 1], y));
             }
         }

@@ -26,13 +26,13 @@ public final class MigrationDiagram {
                 .map(node -> before.evolved().states().stream()
                         .filter(state -> FlatChart.key(state).equals(node.key()))
                         .findFirst()
-                        .map(state -> told(node, state, migration))
+                        .map(state -> annotated(node, state, migration))
                         .orElse(node))
                 .toList();
         return SvgWriter.write(title, List.of(new Diagram(title, nodes, running.edges())));
     }
 
-    private static Diagram.Node told(Diagram.Node node, State state, Migration migration) {
+    private static Diagram.Node annotated(Diagram.Node node, State state, Migration migration) {
         Set<String> notes = new LinkedHashSet<>();
         FateKind worst = FateKind.MAPS;
         for (Migration.Line line : migration.lines()) {

@@ -48,14 +48,14 @@ public final class ReplayDiagram {
                 .map(node -> pair.evolved().states().stream()
                         .filter(state -> FlatChart.key(state).equals(node.key()))
                         .findFirst()
-                        .map(state -> told(node, state, result))
+                        .map(state -> annotated(node, state, result))
                         .orElse(node))
                 .toList();
-        Diagram told = new Diagram(title, nodes, machine.edges());
-        return SvgWriter.write(title, List.of(told), table(result, ReplayText.sum(result, file), zone));
+        Diagram diagram = new Diagram(title, nodes, machine.edges());
+        return SvgWriter.write(title, List.of(diagram), table(result, ReplayText.sum(result, file), zone));
     }
 
-    private static Diagram.Node told(Diagram.Node node, State state, DryRun.Result result) {
+    private static Diagram.Node annotated(Diagram.Node node, State state, DryRun.Result result) {
         Map<String, Integer> counts = new LinkedHashMap<>();
         for (Difference each : result.differences()) {
             Verdict now = each.other();

@@ -87,11 +87,11 @@ public record ReplayJson(long events, List<Row> differences, List<Standing> prop
                 each.at().toString(),
                 each.occurrence().label(),
                 Json.word(each.occurrence().source()),
-                told(each.recorded()),
-                told(each.other()));
+                handling(each.recorded()),
+                handling(each.other()));
     }
 
-    private static @Nullable Handling told(@Nullable Verdict verdict) {
+    private static @Nullable Handling handling(@Nullable Verdict verdict) {
         return verdict == null
                 ? null
                 : new Handling(

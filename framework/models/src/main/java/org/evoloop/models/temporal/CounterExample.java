@@ -126,9 +126,9 @@ final class CounterExample {
     /** Extends the example through moments that satisfy both, until it loops or ends. */
     private void stay(Predicate<Moment> never, Predicate<Moment> without) {
         Set<Moment> seen = new HashSet<>();
-        boolean goesOn = true;
-        while (goesOn && seen.add(end)) {
-            goesOn = step(never.and(without));
+        boolean continues = true;
+        while (continues && seen.add(end)) {
+            continues = step(never.and(without));
         }
     }
 }

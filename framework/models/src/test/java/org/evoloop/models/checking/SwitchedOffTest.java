@@ -12,7 +12,7 @@ import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** Rules that the author of an evolution has switched off for one element, and findings that are one in the drawing. */
+/** Rules that are switched off for one element, and findings about the same element of the drawing. */
 class SwitchedOffTest {
     private static final String LAMP = """
             <state id="Off"><transition event="press" target="On"/></state>
@@ -69,15 +69,15 @@ class SwitchedOffTest {
     }
 
     @Test
-    void programsAreToldWhatIsSwitchedOff() throws IOException {
-        JsonNode told = JsonMapper.shared()
+    void programsGetWhatIsSwitchedOff() throws IOException {
+        JsonNode json = JsonMapper.shared()
                 .readTree(check("off trap-state Warm: it cools down\n", "--format", "json")
                         .out());
 
-        assertThat(told.get("findings").size()).isEqualTo(1);
-        assertThat(told.get("switchedOff").size()).isEqualTo(1);
-        assertThat(told.get("switchedOff").get(0).get("element").asString()).isEqualTo("Warm");
-        assertThat(told.get("switchedOff").get(0).get("reason").asString()).isEqualTo("it cools down");
+        assertThat(json.get("findings").size()).isEqualTo(1);
+        assertThat(json.get("switchedOff").size()).isEqualTo(1);
+        assertThat(json.get("switchedOff").get(0).get("element").asString()).isEqualTo("Warm");
+        assertThat(json.get("switchedOff").get(0).get("reason").asString()).isEqualTo("it cools down");
     }
 
     @Test
@@ -101,7 +101,7 @@ class SwitchedOffTest {
     }
 
     @Test
-    void aSwitchThatIsOfNoUseIsTold() throws IOException {
+    void aSwitchThatIsOfNoUseIsReported() throws IOException {
         Tool useless = check("off trap-state On: it was one\noff unraised-event warm: the sun does\n");
 
         assertThat(useless.err())
@@ -110,7 +110,7 @@ class SwitchedOffTest {
                 .doesNotContain("unraised-event");
     }
 
-    /** A transition that leaves a state around others is one for each of them in the flat machine. */
+    /** A transition from a composite state becomes one from each substate in the flat machine. */
     @Test
     void whatIsOneInTheDrawingIsOneFinding() throws IOException {
         StringBuilder inner = new StringBuilder("<state id='All'><initial><transition target='S0'/></initial>");
@@ -125,9 +125,9 @@ class SwitchedOffTest {
                 "new.scxml",
                 "<state id='Off'><transition event='next' target='S0'/></state>" + inner
                         + "<transition event='stop' cond='a' target='Off'/><transition event='stop' cond='b' target='S2'/></state>");
-        Tool told = check("", "--format", "json");
-        assertThat(told.err()).isEmpty();
-        JsonNode findings = JsonMapper.shared().readTree(told.out()).get("findings");
+        Tool json = check("", "--format", "json");
+        assertThat(json.err()).isEmpty();
+        JsonNode findings = JsonMapper.shared().readTree(json.out()).get("findings");
 
         assertThat(findings.valueStream())
                 .extracting(finding -> finding.get("rule").asString())

@@ -18,7 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Pictures that can be read: nothing lies on anything else. */
+/** Diagrams are legible: nothing overlaps. */
 class LayoutTest {
     private record Area(String what, double x, double y, double width, double height) {
         boolean overlaps(Area other) {
@@ -73,7 +73,7 @@ class LayoutTest {
         for (int i = 0; i < areas.size(); i++) {
             Area one = areas.get(i);
             assertThat(areas.subList(i + 1, areas.size()))
-                    .as("what lies on " + one + " (seed " + seed + ")")
+                    .as("elements that overlap " + one + " (seed " + seed + ")")
                     .noneMatch(one::overlaps);
             assertThat(one.x()).isNotNegative();
             assertThat(one.x() + one.width()).isLessThanOrEqualTo(layout.width());
@@ -81,16 +81,16 @@ class LayoutTest {
         }
     }
 
-    /** Whatever is inside what, and from wherever to wherever arcs lead. */
+    /** However states are nested, and wherever arcs lead. */
     @Test
     void noLabelLiesOnAnythingWhereStatesAreInStates() {
         qt().withExamples(60).forAll(longs().all()).checkAssert(LayoutTest::assertThatNothingLiesOnALabel);
     }
 
-    /** Charts for which ELK fails while initial pseudostates have to come first. */
+    /** Charts for which ELK fails if initial pseudostates are constrained to the first layer. */
     @ParameterizedTest
     @ValueSource(longs = {-67404428, -1963360})
-    void whereNothingCanComeFirstThePictureIsGoodAllTheSame(long seed) {
+    void whereNothingCanComeFirstThePictureIsStillGood(long seed) {
         assertThatNothingLiesOnALabel(seed);
     }
 

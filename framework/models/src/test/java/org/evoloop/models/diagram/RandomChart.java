@@ -13,7 +13,7 @@ import org.evoloop.statechart.Vertex.FinalState;
 import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.statechart.Vertex.Pseudostate;
 
-/** Charts with states inside states, of which only the drawing makes sense: arcs lead from anywhere to anywhere. */
+/** Nested charts for layout only: arcs lead from anywhere to anywhere, so they have no meaning. */
 final class RandomChart {
     private static final List<Kind> KINDS = List.of(Kind.values());
 

@@ -72,7 +72,7 @@ class EvolutionPlanTest {
     }
 
     @Test
-    void whatNobodyCanCarryOutHasAReason() {
+    void whatCannotBeCarriedOutHasAReason() {
         Line line = boost(new DeviceEvents(Set.of(new Event("heat"), new Event("creep")), Set.of()));
 
         assertThat(line.kind()).isEqualTo(Kind.IMPOSSIBLE);

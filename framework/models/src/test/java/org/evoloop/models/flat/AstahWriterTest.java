@@ -17,7 +17,7 @@ import org.evoloop.statemachine.Transition;
 import org.evoloop.xmi.XmiFile;
 import org.junit.jupiter.api.Test;
 
-/** What is written reads back. */
+/** Reading what was written gives the same machine. */
 class AstahWriterTest {
     private static final List<String> NAMES = List.of(
             "On", "Off", "(A, B)", "Outer.Inner", "掃除中", "a+b %41", "say \"hi\" & <go>", "two words", "S [history X]");
@@ -40,7 +40,7 @@ class AstahWriterTest {
         return builder.build();
     }
 
-    /** Guarded ones first, the one without guard last, as a flattened machine has them. */
+    /** Guarded ones first, the one without a guard last, as in a flattened machine. */
     private static void branches(
             StateMachineBuilder builder, String state, String event, List<String> states, Random random) {
         for (int i = random.nextInt(3); i > 0; i--) {
@@ -86,7 +86,7 @@ class AstahWriterTest {
         }
     }
 
-    /** Without what goes on meanwhile, which an internal transition always keeps. */
+    /** Without the activities that continue, since an internal transition always keeps them. */
     private static List<Transition> plain(List<Transition> transitions) {
         List<Transition> plain = new ArrayList<>();
         for (Transition each : transitions) {

@@ -9,13 +9,13 @@ import org.evoloop.statechart.Statechart;
 import org.evoloop.statechart.Vertex;
 import org.evoloop.statechart.Vertex.ChartState;
 
-/** Every text that somebody has written into a chart. */
+/** All texts in a chart. */
 final class ChartFacts {
-    /** What every format tells. */
+    /** What every format shows. */
     final List<String> drawn = new ArrayList<>();
     /** What pictures leave out: events that are on no transition. */
     final List<String> declared;
-    /** Names of regions side by side. */
+    /** Names of parallel regions. */
     final List<String> regions = new ArrayList<>();
 
     ChartFacts(Statechart chart) {

@@ -24,7 +24,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** What stands in a chart stands in every format. {@code -Devoloop.samples=DIRECTORY} compares them on more files. */
+/** Everything in a chart is in every format. {@code -Devoloop.samples=DIRECTORY} compares them for more files. */
 class FormatsTest {
     private static final Pattern SVG_TEXT = Pattern.compile("<text[^>]*>([^<]*)</text>");
 
@@ -103,7 +103,7 @@ class FormatsTest {
         return node.isString() ? Stream.of(node.asString()) : node.valueStream().flatMap(FormatsTest::strings);
     }
 
-    /** Every arrow that is drawn, those that only start a region too. */
+    /** Every drawn arrow, including those that only start a region. */
     @ParameterizedTest
     @MethodSource("samples")
     void jsonHasEveryTransition(Statechart chart) {

@@ -12,7 +12,7 @@ import org.evoloop.statechart.Vertex.FinalState;
 import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.statechart.Vertex.Pseudostate;
 
-/** A chart with everything that can be drawn, under names that languages of diagrams treat in their own ways. */
+/** A chart with every construct, and names that diagram languages treat specially. */
 final class WholeChart {
     static final Statechart CHART = chart();
 

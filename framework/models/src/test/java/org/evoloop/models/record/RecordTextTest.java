@@ -33,7 +33,7 @@ class RecordTextTest {
     }
 
     @Test
-    void tellsWhatTheConverterWasTold() {
+    void printsTheConvertersInputs() {
         assertThat(line(new Input.Opened(1))).isEqualTo("at (On, Move)");
         assertThat(line(new Input.TimerDue(3, new Event("timeout"), 1))).isEqualTo("timeout, visit 3  at (On, Move)");
         assertThat(line(new Input.Dismissed(7, 1))).startsWith("#7  at");

@@ -30,7 +30,7 @@ import org.junit.platform.launcher.core.LauncherFactory;
 import org.junit.platform.launcher.listeners.SummaryGeneratingListener;
 import org.junit.platform.launcher.listeners.TestExecutionSummary;
 
-/** A project builds and passes its tests before its owner has written a line. */
+/** A generated project builds and passes its tests unchanged. */
 class ScaffoldTest {
     private static final String JAVA_PACKAGE = "com.example.made";
 
@@ -81,7 +81,7 @@ class ScaffoldTest {
         return run(classes, project);
     }
 
-    /** The models lie beside the classes, as beside a program's jar. */
+    /** The models are beside the classes, as they are beside a program's jar. */
     private static TestExecutionSummary run(Path classes, Path project) throws Exception {
         try (Stream<Path> models = Files.list(project.resolve("models"))) {
             Path beside = Files.createDirectories(classes.resolveSibling("models"));
@@ -120,7 +120,7 @@ class ScaffoldTest {
         assertThat(project.resolve("mvnw")).isExecutable();
     }
 
-    /** Names that are no Java names, guards, effects, time triggers and functions of the device's own. */
+    /** Names that are not Java identifiers, guards, effects, time triggers, and functions of the device. */
     @Test
     void anythingThatCanBeDrawnCompilesAndPasses() throws Exception {
         StateMachineBuilder device = StateMachine.named("装置")

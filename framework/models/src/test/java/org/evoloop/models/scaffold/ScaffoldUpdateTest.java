@@ -14,7 +14,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A project that is brought up to date keeps what its owner wrote, and says what is new. */
+/** Updating a project keeps what its author wrote, and reports what is new. */
 class ScaffoldUpdateTest {
     private static final String SOURCES = "src/main/java/com/example/made/";
     private static final String PROPERTY = "Always back: always can Off\n";
@@ -103,7 +103,7 @@ class ScaffoldUpdateTest {
     }
 
     @Test
-    void whatNobodyHasChangedFollowsTheModels() throws IOException {
+    void unchangedFilesFollowTheModels() throws IOException {
         String before = Files.readString(project.resolve(SOURCES + "StateFunction.java"));
         aNewState();
 
@@ -114,7 +114,7 @@ class ScaffoldUpdateTest {
                         "updated   " + SOURCES + "KnowledgeState.java",
                         "updated   src/test/java/com/example/made/TransitionsTest.java")
                 .noneMatch(line -> line.startsWith("kept"));
-        // A state keeps its class, though another one comes before it and both names are made up.
+        // A state keeps its class although another state now precedes it and both class names are generated.
         assertThat(project.resolve(SOURCES + "StateFunction.java")).hasContent(before);
         assertThat(project.resolve(SOURCES + "KnowledgeState.java"))
                 .content()
@@ -123,7 +123,7 @@ class ScaffoldUpdateTest {
     }
 
     @Test
-    void whatItsOwnerWroteIsKeptAndToldWhatIsNew() throws IOException {
+    void whatItsAuthorWroteIsKeptAndWhatIsNewIsReported() throws IOException {
         String knowledge = Files.readString(project.resolve(SOURCES + "KnowledgeState.java")) + "// mine\n";
         write(SOURCES + "KnowledgeState.java", knowledge);
         write(SOURCES + "StateFunction.java", "mine");
@@ -141,7 +141,7 @@ class ScaffoldUpdateTest {
     }
 
     @Test
-    void aClassThatIsNoLongerNeededStaysAndIsTold() throws IOException {
+    void aClassThatIsNoLongerNeededRemainsAndIsReported() throws IOException {
         write(SOURCES + "StateFunction.java", "mine");
         model("new", lamp("new").event("dim"));
 

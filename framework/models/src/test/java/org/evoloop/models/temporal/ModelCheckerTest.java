@@ -21,10 +21,7 @@ import org.evoloop.evolution.ModelPair;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/**
- * Random formulas over random machines: M3C, {@link Outlook} and the textbook's fixed points say the same of every
- * moment.
- */
+/** Random formulas over random machines: M3C, {@link Outlook} and the textbook's fixed points agree on every moment. */
 class ModelCheckerTest {
     static LongStream seeds() {
         return LongStream.concat(LongStream.rangeClosed(1, 30), LongStream.of(new Random().nextLong()));
@@ -94,7 +91,7 @@ class ModelCheckerTest {
                         || (parts.get(0).contains(moment) && allNext(graph, moment, known)));
     }
 
-    /** What has no next moment does not come to anything. */
+    /** Strong until: a moment without a successor does not reach {@code right} unless it satisfies it. */
     private static Set<Moment> strongly(MomentGraph graph, Set<Moment> left, Set<Moment> right, Set<Moment> known) {
         return only(
                 graph,

@@ -94,7 +94,7 @@ class PropertyCheckTest {
     }
 
     @Test
-    void namesLineAndMendOfEverythingThatCannotBeUnderstood() {
+    void namesLineAndRemedyOfEverythingThatCannotBeParsed() {
         assertThatThrownBy(() -> check("always Dance\nnever event Dance\nSpot Move\ncan (On\nOn only Move\nnot"))
                 .isInstanceOf(ModelException.class)
                 .satisfies(refusal -> assertThat(

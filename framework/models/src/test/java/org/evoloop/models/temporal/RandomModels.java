@@ -16,7 +16,7 @@ final class RandomModels {
 
     private RandomModels() {}
 
-    /** A device of four states and two events, and a new model with two states and an event more. */
+    /** A device with four states and two events, and a new model with two more states and one more event. */
     static ModelPair pair(Random random) {
         return new ModelPair(
                 machine(random, "original", STATES, List.of("a", "b")),
@@ -56,7 +56,7 @@ final class RandomModels {
         };
     }
 
-    /** One of which a sequence of events alone shows that it does not hold. */
+    /** A formula whose violation is shown by a finite sequence of events. */
     static Formula safety(Random random) {
         Formula left = state(random);
         Formula right = state(random);

@@ -9,8 +9,8 @@ import org.evoloop.check.temporal.Outlook;
 import org.evoloop.evolution.ModelPair;
 
 /**
- * Informative prefixes by their definition (Kupferman and Vardi, 2001): whether the moments that were seen show by
- * themselves that a formula is broken, whatever follows. Looks at all of them again each time.
+ * Informative prefixes by their definition (Kupferman and Vardi, 2001): whether the moments so far show by themselves
+ * that a formula is broken, whatever follows. Examines all of them again each time.
  */
 final class Refutation {
     private final ModelPair pair;

@@ -22,9 +22,7 @@ import org.evoloop.evolution.Turn;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/**
- * What {@link PropertyWatch} says of random sequences of events in random evolutions, and what M3C says of the models.
- */
+/** Compares {@link PropertyWatch} on random sequences of events in random evolutions with M3C on the models. */
 class WatchAgainstCheckerTest {
     private static final int FORMULAS = 40;
     private static final int EVENTS = 12;
@@ -55,7 +53,7 @@ class WatchAgainstCheckerTest {
         return walk;
     }
 
-    /** After how many events it is broken; -1 if it is not. */
+    /** The number of events after which it is broken; -1 if it is not. */
     private int brokenAt(Formula formula, List<Moment> walk) {
         Property property = new Property("p", formula, 1);
         PropertyWatch watch =

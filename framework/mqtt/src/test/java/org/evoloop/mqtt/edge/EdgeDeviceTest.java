@@ -31,7 +31,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A lamp at a real MQTT broker; the test is its gateway. */
+/** A lamp on a real MQTT broker; the test is its gateway. */
 class EdgeDeviceTest {
     private static final Instant NOW = Instant.parse("2026-11-23T12:00:00Z");
     private static final Duration LIMIT = Duration.ofSeconds(60);
@@ -39,7 +39,7 @@ class EdgeDeviceTest {
     @TempDir
     private Path directory;
 
-    private final List<Map<String, Object>> told = new CopyOnWriteArrayList<>();
+    private final List<Map<String, Object>> records = new CopyOnWriteArrayList<>();
     private final List<String> done = new CopyOnWriteArrayList<>();
     private final List<String> link = new CopyOnWriteArrayList<>();
     private final SystemClock clock = new SystemClock();
@@ -111,7 +111,7 @@ class EdgeDeviceTest {
 
     private void hear(Message message) {
         Map<String, Object> record = Json.object(message.payload());
-        told.add(record);
+        records.add(record);
         if (keeping) {
             gateway.publish(Message.command("evoloop/lamp/kept", "{\"number\":" + number(record) + "}"));
         }
@@ -122,7 +122,7 @@ class EdgeDeviceTest {
     }
 
     private void await(int records) {
-        Awaitility.await().atMost(LIMIT).until(() -> told.size() >= records);
+        Awaitility.await().atMost(LIMIT).until(() -> this.records.size() >= records);
     }
 
     private static String command(long sequence, Instant deadline) {
@@ -136,7 +136,7 @@ class EdgeDeviceTest {
     }
 
     @Test
-    void whatIsToldWhileTheBrokerIsAwayComesInOrderAndIsNumberedFromTheTime() {
+    void whatIsReportedWhileTheBrokerIsAwayComesInOrderAndIsNumberedFromTheTime() {
         try (Lamp lamp = new Lamp()) {
             lamp.panel.press("switch");
             await(1);
@@ -147,7 +147,7 @@ class EdgeDeviceTest {
             mosquitto.start();
             await(3);
         }
-        List<Map<String, Object>> first = told.stream().distinct().toList();
+        List<Map<String, Object>> first = records.stream().distinct().toList();
         assertThat(first).extracting(each -> each.get("event")).containsExactly("switch", "switch", "timeout");
         long begun = NOW.toEpochMilli();
         assertThat(first).extracting(EdgeDeviceTest::number).containsExactly(begun + 1, begun + 2, begun + 3);
@@ -159,7 +159,7 @@ class EdgeDeviceTest {
     }
 
     @Test
-    void whatNobodyKeepsIsToldAgainByTheNextProcess() {
+    void whatIsNotStoredIsReportedAgainByTheNextProcess() {
         keeping = false;
         try (Lamp lamp = new Lamp()) {
             lamp.panel.press("switch");
@@ -171,8 +171,8 @@ class EdgeDeviceTest {
             next.panel.press("switch");
             await(3);
         }
-        assertThat(told.get(1)).isEqualTo(told.get(0));
-        assertThat(number(told.get(2))).isEqualTo(number(told.get(0)) + 1);
+        assertThat(records.get(1)).isEqualTo(records.get(0));
+        assertThat(number(records.get(2))).isEqualTo(number(records.get(0)) + 1);
     }
 
     @Test
@@ -195,12 +195,12 @@ class EdgeDeviceTest {
             send("command", "{\"sequence\":3,\"kind\":\"locate\",\"deadlineMillis\":" + Long.MAX_VALUE / 1000 + "}");
             Awaitility.await()
                     .atMost(LIMIT)
-                    .until(() ->
-                            told.stream().anyMatch(each -> each.get("sequence").equals(3.0)));
+                    .until(() -> records.stream()
+                            .anyMatch(each -> each.get("sequence").equals(3.0)));
             assertThat(next.edge).isNotNull();
         }
         assertThat(done).containsExactly("off --switch--> on by=me");
-        assertThat(told.stream().distinct())
+        assertThat(records.stream().distinct())
                 .extracting(each -> each.get("sequence") + " " + each.get("outcome") + " " + each.get("reason"))
                 .containsExactly("1.0 sent null", "2.0 failed the command arrived after its deadline", "3.0 sent null");
     }
@@ -215,8 +215,8 @@ class EdgeDeviceTest {
             await(1);
             assertThat(lamp.edge).isNotNull();
         }
-        assertThat(told.get(0)).containsEntry("event", "timeout").containsEntry("visit", 4.0);
-        assertThat(told.get(0)).containsEntry("source", "function");
+        assertThat(records.get(0)).containsEntry("event", "timeout").containsEntry("visit", 4.0);
+        assertThat(records.get(0)).containsEntry("source", "function");
     }
 
     @Test

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Each construct of Astah's state machine diagrams, written as Astah writes it, and the flat machine that it means. */
+/** Each construct of Astah's state machine diagrams as Astah writes it, and the equivalent flat machine. */
 class AstahChartTest {
 
     @Test
@@ -220,7 +220,7 @@ class AstahChartTest {
     }
 
     @Test
-    void aTimerOfAnOuterStateGoesOnWhileInnerTransitionsAreTaken() {
+    void aTimerOfAnOuterStateKeepsRunningWhileInnerTransitionsAreTaken() {
         Machine machine = offOn("m")
                 .vertex(state("outer", "Outer", substates(initial("i2"), state("a", "A", ""), state("b", "B", ""))))
                 .transition(arc("x2", "i2", "a", ""))

@@ -6,9 +6,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Writes documents in Astah's dialect, one element a line; ids are short, since their form has no meaning.
+ * Writes documents in Astah's dialect, one element per line; ids are short, since their form has no meaning.
  *
- * <p>What is not flat goes in as text: {@link #vertex} and {@link #transition(String)}.
+ * <p>Anything that is not flat is added as text: {@link #vertex} and {@link #transition(String)}.
  */
 public final class AstahDocument {
     public static final String UML = "xmlns:UML=\"org.omg.xmi.namespace.UML\"";
@@ -61,7 +61,7 @@ public final class AstahDocument {
                 .replace("\n", "&#10;");
     }
 
-    /** Off --Clean--> On, a correct machine to which a test adds its trouble. */
+    /** Off --Clean--> On, a correct machine to which a test adds an error. */
     public static Machine offOn(String id) {
         return new Machine(id, "StateMachine0")
                 .initial("i", "off")
@@ -111,22 +111,22 @@ public final class AstahDocument {
             return this;
         }
 
-        /** The line of the last vertex in a document that holds this machine alone. */
+        /** The line of the last vertex in a document that contains only this machine. */
         public int lineOfLastVertex() {
             return FIRST_LINE + 2 + vertices.size();
         }
 
-        /** The line of the last transition in a document that holds this machine alone. */
+        /** The line of the last transition in a document that contains only this machine. */
         public int lineOfLastTransition() {
             return FIRST_LINE + 5 + vertices.size() + transitions.size();
         }
 
-        /** The vertices alone, a line each. */
+        /** The vertices only, one per line. */
         String vertices() {
             return lines(vertices);
         }
 
-        /** The transitions alone, a line each. */
+        /** The transitions only, one per line. */
         String transitions() {
             return lines(transitions);
         }

@@ -67,7 +67,7 @@ class AstahNamesTest {
         assertThat(read(document).get(0).toStateMachine().states()).hasSize(2);
     }
 
-    /** The seed of a failure is printed by the property library, the machine by its own message. */
+    /** On a failure, the property library prints the seed, and the assertion's message the machine. */
     @Test
     void shouldReadBackEveryMachineThatAstahCouldWrite() {
         qt().withGenerateAttempts(10_000)

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Nothing in a machine is ignored: what cannot be used is refused with kind, name, id, line and remedy. */
+/** Nothing in a machine is ignored: unusable elements are refused with kind, name, id, line and remedy. */
 class AstahRefusalTest {
 
     @ParameterizedTest
@@ -104,7 +104,7 @@ class AstahRefusalTest {
     }
 
     @Test
-    void shouldRefuseAKindOfPseudostateThatNobodyKnowsOnceThoughTransitionsEndThere() {
+    void shouldRefuseAnUnknownKindOfPseudostateOnceThoughTransitionsEndThere() {
         Machine machine =
                 offOn("m").vertex("<UML:Pseudostate xmi.id=\"x\" name=\"P\" kind=\"anything\"></UML:Pseudostate>");
         int line = machine.lineOfLastVertex();
@@ -179,7 +179,7 @@ class AstahRefusalTest {
                 "<UML:StateMachine xmi.idref=\"gone\"/> | is linked to the unknown state machine 'gone'; ",
                 "<UML:StateMachine xmi.idref=\"m\"/> | includes state machine 'StateMachine0' (id 'm'), which includes it; ",
             })
-    void shouldRefuseASubmachineStateWithoutASubmachineOnceThoughAStubStandsInIt(String reference, String problem) {
+    void shouldRefuseASubmachineStateWithoutASubmachineOnceThoughItContainsAStub(String reference, String problem) {
         Machine machine = offOn("m")
                 .vertex("<UML:SubmachineState xmi.id=\"x\" name=\"Sub\"><UML:CompositeState.subvertex>"
                         + "<UML:StubState xmi.id=\"stub\" name=\"In\" referenceState=\"\"/></UML:CompositeState.subvertex>"
@@ -192,7 +192,7 @@ class AstahRefusalTest {
     }
 
     @Test
-    void shouldRefuseAStubThatStandsForNothing() {
+    void shouldRefuseAStubThatRefersToNothing() {
         Machine machine = offOn("m")
                 .vertex("<UML:SubmachineState xmi.id=\"x\" name=\"Sub\"><UML:CompositeState.subvertex>"
                         + "<UML:StubState xmi.id=\"stub\" name=\"In\"/></UML:CompositeState.subvertex>"
@@ -326,7 +326,7 @@ class AstahRefusalTest {
                 .contains(problem);
     }
 
-    /** The lines of the refusal, behind its heading. */
+    /** The lines of the refusal after its heading. */
     private static List<String> problems(Machine machine) {
         return problems(new AstahDocument().add(machine));
     }

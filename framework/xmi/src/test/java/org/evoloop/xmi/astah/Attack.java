@@ -6,7 +6,7 @@ import java.util.function.LongFunction;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.xmi.XmiFile;
 
-/** A document of 1 GiB that is made while it is read: a beginning, and then one unit after the other. */
+/** A document of 1 GiB that is generated while it is read: a beginning, then one unit after another. */
 final class Attack extends InputStream {
     private static final int CHUNK = 1 << 14;
 
@@ -26,7 +26,7 @@ final class Attack extends InputStream {
         this.chunk = beginning.getBytes(StandardCharsets.UTF_8);
     }
 
-    /** What the reader says to {@code beginning} and unit 0, 1, 2 and so on. */
+    /** The reader's error for {@code beginning} followed by units 0, 1, 2 and so on. */
     static String answer(String beginning, LongFunction<String> units) {
         try {
             return XmiFile.read("F.xml", new Attack(beginning, units))

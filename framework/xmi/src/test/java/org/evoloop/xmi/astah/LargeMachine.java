@@ -12,8 +12,8 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.xmi.XmiFile;
 
 /**
- * A ring of states, each with ten transitions, and its diagram, which is four times as large; made while it is read, so
- * that nobody but the reader uses memory.
+ * A ring of states, each with ten transitions, and its diagram, which is four times as large; generated while it is
+ * read, so that only the reader uses memory.
  */
 final class LargeMachine {
     private static final String ID = "-39fccbec820dc2a17c2273fc5c29fe1a-";

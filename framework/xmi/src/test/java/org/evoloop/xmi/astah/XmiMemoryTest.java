@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Documents of 1 GiB that must be read to a late point, each in a virtual machine of its own with a small heap. */
+/** Documents of 1 GiB that must be read far into the file, each in its own virtual machine with a small heap. */
 @Tag("slow")
 class XmiMemoryTest {
     private static final String TOO_LARGE = "F.xml: its state machines are too large (line ";

@@ -144,7 +144,7 @@ class ScxmlReadingTest {
     }
 
     @Test
-    void shouldTellLocalTransitionsFromOthers() {
+    void shouldDistinguishLocalTransitionsFromOthers() {
         assertThat(ChartText.of(scxml("""
                         <state id='s'><state id='a'/>
                         <transition event='e' type='internal' target='a'/><transition event='f' target='a'/></state>"""))).contains("s -> a : e LOCAL", "s -> a : f");

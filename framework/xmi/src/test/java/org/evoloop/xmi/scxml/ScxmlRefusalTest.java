@@ -6,7 +6,7 @@ import org.evoloop.xmi.ChartText;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What has no place in a chart is named, with its line and the remedy. */
+/** Elements that do not belong in a chart are named, with the line and a remedy. */
 class ScxmlRefusalTest {
 
     @ParameterizedTest

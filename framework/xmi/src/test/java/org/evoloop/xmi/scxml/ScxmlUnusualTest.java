@@ -11,7 +11,7 @@ import org.evoloop.xmi.ChartText;
 import org.evoloop.xmi.XmiMachine;
 import org.junit.jupiter.api.Test;
 
-/** What is seldom written, and read all the same; where that loses something it is noted. */
+/** Unusual constructs that can be read; if reading loses something, that is noted. */
 class ScxmlUnusualTest {
     private static List<String> notes(String content) {
         return ChartText.machines(scxml(content)).get(0).notes();

@@ -22,7 +22,7 @@ class Uml14ReadingTest {
                 """ + machines + "\n</UML:Namespace.ownedElement></UML:Model></XMI.content></XMI>";
     }
 
-    /** @param vertices and behind {@link #TRANSITIONS} transitions */
+    /** @param vertices and, after {@link #TRANSITIONS}, transitions */
     static String machine(String id, String vertices) {
         String end = vertices.contains("<UML:StateMachine.transitions>")
                 ? "</UML:StateMachine.transitions>"

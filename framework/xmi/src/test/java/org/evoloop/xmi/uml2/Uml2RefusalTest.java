@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What has no place in a chart is named, with its line and the remedy. */
+/** Elements that do not belong in a chart are named, with the line and a remedy. */
 class Uml2RefusalTest {
 
     @ParameterizedTest
@@ -95,7 +95,7 @@ class Uml2RefusalTest {
 
     @Test
     void shouldRefuseMachinesThatGrowBeyondAnyMeasure() {
-        // Each of 40 machines holds the next one twice: 2 to the power of 40 states.
+        // Each of 40 machines contains the next one twice: 2 to the power of 40 states.
         String machines = IntStream.range(0, 40)
                 .mapToObj(i -> "<packagedElement xmi:type='uml:StateMachine' xmi:id='m" + i + "' name='M" + i
                         + "'><region><subvertex xmi:type='uml:State' xmi:id='a" + i + "' name='A' submachine='m"

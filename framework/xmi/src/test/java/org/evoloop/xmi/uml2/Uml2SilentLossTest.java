@@ -11,7 +11,7 @@ import org.evoloop.xmi.ChartText;
 import org.evoloop.xmi.XmiMachine;
 import org.junit.jupiter.api.Test;
 
-/** Kinds of model of which a well-known loader loses a part without a word. */
+/** Kinds of models of which a well-known loader silently loses parts. */
 class Uml2SilentLossTest {
 
     @Test

@@ -14,7 +14,7 @@ import org.evoloop.xmi.XmiMachine;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** States and what is in them. */
+/** States and their contents. */
 class Uml2StateTest {
     private static final String SUBMACHINE = """
             <packagedElement xmi:type='uml:StateMachine' xmi:id='sub' name='Sub'>

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What stands on transitions, in the ways of the tools. */
+/** The parts of transitions, as different tools write them. */
 class Uml2TransitionTest {
     private static final String TRIGGER = "<trigger xmi:type='uml:Trigger' xmi:id='tr' event='e'/>";
 
@@ -52,7 +52,7 @@ class Uml2TransitionTest {
     }
 
     @Test
-    void shouldReadATriggerThatStandsInThePackage() {
+    void shouldReadATriggerInThePackage() {
         assertThat(ChartText.of(transition(
                         "kind='local'",
                         "<trigger xmi:idref='tr'/><effect xmi:type='uml:OpaqueBehavior' xmi:id='f' body='on()'/>",

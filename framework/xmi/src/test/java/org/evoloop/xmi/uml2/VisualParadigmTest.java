@@ -7,7 +7,7 @@ import org.evoloop.xmi.ChartText;
 import org.evoloop.xmi.XmiMachine;
 import org.junit.jupiter.api.Test;
 
-/** Files in which states and transitions stand in the package. */
+/** Files in which states and transitions are directly in the package. */
 class VisualParadigmTest {
     private static String document(String... members) {
         return """

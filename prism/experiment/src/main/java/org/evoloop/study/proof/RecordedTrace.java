@@ -44,14 +44,14 @@ final class RecordedTrace {
      */
     static String of(EvolvingPair evolution, Path journal) {
         RecordedTrace trace = new RecordedTrace(evolution);
-        trace.tellState();
+        trace.writeState();
         List<JournalRecord> records = new ArrayList<>();
         new JournalFiles(journal).read(records::add);
         for (int index = 0; index < records.size(); index++) {
             if (trace.beginsProcess(records, index)) {
                 trace.recover(records.get(index));
             }
-            trace.tell(records.get(index));
+            trace.apply(records.get(index));
         }
         return trace.out.toString();
     }
@@ -77,10 +77,10 @@ final class RecordedTrace {
         followClock(first);
         line("RECOVERED");
         core.apply(new Input.Recovered(first.nanos()));
-        tellState();
+        writeState();
     }
 
-    private void tell(JournalRecord recorded) {
+    private void apply(JournalRecord recorded) {
         followClock(recorded);
         try {
             if (recorded.number() == 0) {
@@ -94,7 +94,7 @@ final class RecordedTrace {
         } catch (IllegalArgumentException leftOut) {
             throw new IllegalArgumentException(place(recorded) + ": " + leftOut.getMessage(), leftOut);
         }
-        tellState();
+        writeState();
         if (!core.at().equals(recorded.where())
                 || core.doubt().isEmpty() != recorded.doubt().isEmpty()) {
             throw new IllegalArgumentException(
@@ -120,7 +120,7 @@ final class RecordedTrace {
         offset = now;
     }
 
-    private void tellState() {
+    private void writeState() {
         out.append(StateText.of(evolution, core.snapshot(), swapped)).append('\n');
     }
 

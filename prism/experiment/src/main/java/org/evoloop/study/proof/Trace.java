@@ -36,7 +36,7 @@ final class Trace {
 
     static String random(EvolvingPair evolution, long seed, int length) {
         Trace trace = new Trace(evolution, seed);
-        trace.tellState();
+        trace.writeState();
         for (int count = 0; count < length && trace.hasRoom(); count++) {
             trace.go();
         }
@@ -51,11 +51,11 @@ final class Trace {
                 && (snapshot.doubt() == null || snapshot.doubt().meanwhile().size() < MOST);
     }
 
-    private void tellState() {
+    private void writeState() {
         out.append(StateText.of(evolution, core.snapshot(), swapped)).append('\n');
     }
 
-    private void tell(Input input, String name, long... arguments) {
+    private void apply(Input input, String name, long... arguments) {
         out.append("> ").append(name);
         for (int index = 0; index < 4; index++) {
             out.append(' ').append(index < arguments.length ? arguments[index] : 0);
@@ -63,13 +63,13 @@ final class Trace {
         out.append('\n');
         core.apply(input);
         now++;
-        tellState();
+        writeState();
     }
 
     private void go() {
         Work work = core.snapshot().work();
         if (random.nextInt(3) > 0 && work != null) {
-            goOn(work);
+            proceed(work);
         } else if (random.nextInt(3) > 0) {
             occur();
         } else {
@@ -78,16 +78,16 @@ final class Trace {
     }
 
     /** What the components do with the occurrence in progress. */
-    private void goOn(Work work) {
+    private void proceed(Work work) {
         long number = work.pending().number();
         Decision decision = work.decision();
         int bad = random.nextInt(12);
         if (bad == 0) {
-            tell(new Input.Failed(number, "it failed", now), "FAILED", number);
+            apply(new Input.Failed(number, "it failed", now), "FAILED", number);
         } else if (bad == 1) {
-            tell(new Input.GivenUp(number, "it was given up", now), "GIVEN_UP", number);
+            apply(new Input.GivenUp(number, "it was given up", now), "GIVEN_UP", number);
         } else if (bad == 2) {
-            tell(new Input.Dismissed(number, now), "DISMISSED", number);
+            apply(new Input.Dismissed(number, now), "DISMISSED", number);
         } else if (work.stage() == Work.Stage.SENDING) {
             sent(number);
         } else if (decision instanceof Decision.Inquiry) {
@@ -95,7 +95,7 @@ final class Trace {
         } else if (decision == null || work.stage() == Work.Stage.RESUMED) {
             plan(work, number);
         } else {
-            tell(new Input.Sending(number), "SENDING_IT", number);
+            apply(new Input.Sending(number), "SENDING_IT", number);
         }
     }
 
@@ -104,7 +104,7 @@ final class Trace {
         if (plan == null || random.nextInt(4) > 0) {
             plan = evolution.rules(swapped).decide(core.at(), core.steps(), work.pending(), guard -> false);
         }
-        tell(
+        apply(
                 new Input.Planned(number, plan, now),
                 "PLANNED",
                 number,
@@ -118,12 +118,12 @@ final class Trace {
 
     private void sent(long number) {
         boolean inOrder = random.nextBoolean();
-        tell(new Input.Sent(number, inOrder, now), "WAS_SENT", number, inOrder ? 1 : 0);
+        apply(new Input.Sent(number, inOrder, now), "WAS_SENT", number, inOrder ? 1 : 0);
     }
 
     private void locate(long number) {
         State state = random.nextInt(4) == 0 ? null : any(evolution.deviceStates());
-        tell(
+        apply(
                 new Input.Located(number, state, now),
                 "LOCATED",
                 number,
@@ -145,7 +145,7 @@ final class Trace {
             case 2 -> found();
             case 3 -> heard(event, Source.FUNCTION, false, visit, 4, former);
             case 4 ->
-                tell(
+                apply(
                         new Input.Observed(new Occurrence.Asked(event, Values.NONE, visit, now)),
                         "ASKED_OF",
                         number,
@@ -156,14 +156,14 @@ final class Trace {
 
     private void heard(Event event, Source source, boolean acted, long visit, int sourceNumber, int visitNumber) {
         Occurrence heard = new Occurrence.Heard(event, Values.NONE, source, acted, Set.of(), visit, now);
-        tell(new Input.Observed(heard), "HEARD_OF", evolution.number(event), sourceNumber, visitNumber, acted ? 1 : 0);
+        apply(new Input.Observed(heard), "HEARD_OF", evolution.number(event), sourceNumber, visitNumber, acted ? 1 : 0);
     }
 
     private void found() {
         State state = any(evolution.deviceStates());
         boolean late = random.nextInt(4) == 0;
         long at = late ? core.snapshot().lastStepNanos() - 1 : now;
-        tell(
+        apply(
                 new Input.Observed(new Occurrence.Found(state, at)),
                 "FOUND_AT",
                 evolution.number(state, true),
@@ -174,7 +174,7 @@ final class Trace {
         Snapshot snapshot = core.snapshot();
         for (Event event : snapshot.visit().deadlines().keySet()) {
             long due = Math.max(now, snapshot.visit().deadlines().getOrDefault(event, now));
-            tell(new Input.TimerDue(snapshot.visit().number(), event, due), "TIMER_DUE");
+            apply(new Input.TimerDue(snapshot.visit().number(), event, due), "TIMER_DUE");
             now = due + 1;
         }
     }
@@ -182,14 +182,14 @@ final class Trace {
     /** An action on the converter, or a report about a step that it no longer waits for. */
     private void operate() {
         switch (random.nextInt(10)) {
-            case 0 -> tell(new Input.Closing(), "CLOSING");
-            case 1 -> tell(new Input.Closed(), "CLOSED");
-            case 2 -> tell(new Input.Recovered(now), "RECOVERED");
-            case 3, 4 -> tell(new Input.Opened(now), "OPENED");
-            case 5 -> tell(new Input.Changed(evolution.rules(swapped), now), "CHANGED");
+            case 0 -> apply(new Input.Closing(), "CLOSING");
+            case 1 -> apply(new Input.Closed(), "CLOSED");
+            case 2 -> apply(new Input.Recovered(now), "RECOVERED");
+            case 3, 4 -> apply(new Input.Opened(now), "OPENED");
+            case 5 -> apply(new Input.Changed(evolution.rules(swapped), now), "CHANGED");
             case 6 -> evolve();
             case 7 -> strayStep();
-            default -> tell(new Input.Ready(), "READY_FOR");
+            default -> apply(new Input.Ready(), "READY_FOR");
         }
     }
 
@@ -198,7 +198,7 @@ final class Trace {
         Input input = new Input.Evolved(evolution.swap(swapped), now);
         swapped ^= possible;
         plan = null;
-        tell(input, "EVOLVED_TO");
+        apply(input, "EVOLVED_TO");
     }
 
     private void strayStep() {

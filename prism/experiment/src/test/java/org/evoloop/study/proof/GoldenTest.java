@@ -16,8 +16,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
 
 /**
- * The code still does what {@code prism/proof/golden} says, which the specification is compared with by {@code
- * ./evoloop study --check}. If the core was changed on purpose, write the files anew as {@code docs/proof.md} says.
+ * The code behaves as recorded in {@code prism/proof/golden}, with which {@code ./evoloop study --check} compares the
+ * specification. If the core was changed on purpose, regenerate the files as described in {@code docs/proof.md}.
  */
 class GoldenTest {
     private static final Path ROOT = Path.of(System.getProperty("evoloop.root"));

@@ -19,8 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
 
 /**
- * What a journal tells is what the core was told; {@code ./evoloop study --check} asks the specification whether it
- * agrees.
+ * A journal contains exactly the core's inputs; {@code ./evoloop study --check} compares them with the specification.
  */
 class RecordedTest {
     private static final Path GOLDEN = Path.of(System.getProperty("evoloop.root"), "prism", "proof", "golden");
@@ -42,9 +41,9 @@ class RecordedTest {
         return said.toString(StandardCharsets.UTF_8);
     }
 
-    /** The light bulb's own program: presses, timers, and a kill -9 in the middle. */
+    /** The light bulb's program, with presses, timers and a kill -9 in between. */
     @Test
-    void theKeptJournalIsToldAsItWas() throws IOException {
+    void theKeptJournalIsReplayedAsItWas() throws IOException {
         assertThat(run("bulb", "--queue=8", "--journal=" + GOLDEN.resolve("bulb.journal")))
                 .as(said())
                 .isZero();
@@ -54,7 +53,7 @@ class RecordedTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"robot", "bulb"})
-    void aRunOfTheWholeConverterIsToldInFull(String pair) {
+    void aRunOfTheWholeConverterIsRecordedInFull(String pair) {
         assertThat(run(pair, "--record=" + folder, "--traces=3", "--seed=7", "--length=150"))
                 .as(said())
                 .isZero();

@@ -9,7 +9,7 @@ import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
 
-/** The camera's rooms; what it may use of other modules is in its module-info, and less of the core. */
+/** The camera's packages; its module-info says which other modules it may use, of the core only some packages. */
 @AnalyzeClasses(packages = "org.evoloop.roomba.camera", importOptions = ImportOption.DoNotIncludeTests.class)
 class ArchitectureTest {
     private static final String OPENCV = "org.evoloop.roomba.camera.opencv..";

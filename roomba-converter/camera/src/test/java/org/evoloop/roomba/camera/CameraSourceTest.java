@@ -58,7 +58,7 @@ class CameraSourceTest {
     }
 
     @Test
-    void tellsWhatIsInTheWay() {
+    void reportsWhatIsInTheWay() {
         assertThat(CameraSource.parse("/nowhere.avi").obstacle()).hasValue("does not exist; correct the path");
         assertThat(CameraSource.parse("/").obstacle()).hasValue("is a folder; name a file in it");
         assertThat(CameraSource.parse("http://x/").obstacle()).isEmpty();

@@ -55,7 +55,7 @@ class CommandParserTest {
 
     @Test
     void unfinishedCommandSwallowsTheNextOne() {
-        // What the specification says of the robot: it waits for the data bytes, whatever they are.
+        // As the specification says, the robot waits for the data bytes, whatever they are.
         assertThat(Feeding.parse(octets(137, 0, 128, 0))).isEmpty();
         assertThat(Feeding.parse(octets(137, 0, 128, 0, 1, 128)))
                 .containsExactly(new Parsed.Accepted(new ActuatorCommand.Drive(128, 1)), START);
@@ -89,7 +89,7 @@ class CommandParserTest {
     }
 
     @Test
-    void aWheelCommandOutOfItsRangeTellsTheNearestThatIsInIt() {
+    void aWheelCommandOutOfItsRangeNamesTheNearestValidOne() {
         assertNearest(octets(137, 2, 88, 0, 100), new ActuatorCommand.Drive(500, 100));
         assertNearest(octets(137, 128, 0, 128, 0), new ActuatorCommand.Drive(-500, Short.MIN_VALUE));
         assertNearest(octets(137, 0, 100, 19, 136), new ActuatorCommand.Drive(100, 2000));

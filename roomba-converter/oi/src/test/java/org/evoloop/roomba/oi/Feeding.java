@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 
-/** What the tests of both parsers share: feeding whole arrays, joining arrays, seeded noise. */
+/** Shared by the tests of both parsers: feeding whole arrays, joining arrays, seeded noise. */
 final class Feeding {
     private Feeding() {}
 

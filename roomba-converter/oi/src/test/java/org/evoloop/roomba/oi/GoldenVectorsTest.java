@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The worked examples of the specification, byte for byte. */
+/** The specification's examples, byte for byte. */
 class GoldenVectorsTest {
 
     static Stream<Arguments> examples() {

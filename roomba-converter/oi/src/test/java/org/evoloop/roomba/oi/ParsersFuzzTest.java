@@ -11,8 +11,7 @@ import org.evoloop.roomba.oi.CommandParser.Parsed;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * What no bytes may do to the parsers. A usual run tries the seeds; CONTRIBUTING.md tells how to let Jazzer look
- * for more.
+ * No bytes may break the parsers. A normal run tries the seeds; CONTRIBUTING.md says how to let Jazzer search for more.
  */
 class ParsersFuzzTest {
     private static final List<PacketId> PACKETS = List.of(Packet.BUMPS_AND_WHEEL_DROPS, Packet.CURRENT, Packet.OI_MODE);
@@ -84,7 +83,7 @@ class ParsersFuzzTest {
         void feed(byte[] bytes, int offset, int count);
     }
 
-    /** Cuts where the input says. */
+    /** Splits the bytes where {@code cuts} says. */
     private static void feedInPieces(byte[] cuts, byte[] bytes, Feed target) {
         int offset = 0;
         for (int piece = 0; offset < bytes.length; piece++) {

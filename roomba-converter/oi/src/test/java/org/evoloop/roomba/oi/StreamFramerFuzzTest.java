@@ -12,8 +12,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * The framer against a plain scan that has all bytes at once: at each position there is a whole valid frame, or the
- * search goes on one byte further. The noise is made to mislead: cut, spoilt and whole frames, headers, ids and text.
+ * Compares the framer with a plain scan of all bytes: if no complete valid frame starts at a position, the search
+ * continues one byte later. The noise is misleading: truncated, corrupted and complete frames, headers, ids and text.
  */
 class StreamFramerFuzzTest {
     private static final List<Packet> PACKETS = List.of(Packet.BUMPS_AND_WHEEL_DROPS, Packet.CURRENT, Packet.OI_MODE);
@@ -118,7 +118,7 @@ class StreamFramerFuzzTest {
         return found;
     }
 
-    /** The packets of the whole valid frame that starts here; none if there is no such frame. */
+    /** The packets of the complete valid frame that starts here; none if there is no such frame. */
     private static List<PacketId> packetsOfFrameAt(byte[] bytes, int start) {
         int checksumAt = start + 2 + (bytes[start + 1] & 0xFF);
         if (bytes[start] != 19 || checksumAt >= bytes.length) {

@@ -26,7 +26,7 @@ class StreamFramerTest {
     private final List<SensorValues> frames = new ArrayList<>();
     private final StreamFramer framer = new StreamFramer(PACKETS);
 
-    /** Data full of headers: 19 in every byte that can hold it. */
+    /** Data full of headers: 19 in every byte that allows it. */
     private static SensorValues values(int mode) {
         return SensorValues.of(PACKETS, packet -> packet == Packet.OI_MODE ? mode : packet.size() == 2 ? 0x1313 : 0x13);
     }
@@ -154,8 +154,8 @@ class StreamFramerTest {
     }
 
     @Test
-    void lengthThatLiesHoldsBackAnyPacketsNoLongerThanPromised() {
-        // A header that announces 255 bytes of which each two that follow are id and data: all fits until its end.
+    void aWrongLengthDelaysAnyPacketsNoLongerThanPromised() {
+        // A header that announces 255 bytes, followed by pairs of id and data: it looks valid until its end.
         StreamFramer any = StreamFramer.forAnyPackets();
         byte[] good = StreamFrame.encode(List.of(Packet.WALL), packet -> 0);
         byte[] before = octets(19, 255);

@@ -57,7 +57,7 @@ final class RobotReader implements ConnectionOwner {
     private final CircumstanceWatch circumstances = new CircumstanceWatch();
     private Circumstances reported = Circumstances.USUAL;
     private boolean reportAgain;
-    private int framesUntilTold;
+    private int framesUntilReport;
     private volatile @Nullable Telemetry latest;
 
     /** @param cable opens a new link to the robot at a baud rate; called again whenever the link was lost */
@@ -150,7 +150,7 @@ final class RobotReader implements ConnectionOwner {
         if (seen && ending == null) {
             reportActivity();
         }
-        if (framesUntilTold > 0 && --framesUntilTold == 0) {
+        if (framesUntilReport > 0 && --framesUntilReport == 0) {
             reportSeen(estimate.activity());
         }
     }
@@ -184,7 +184,7 @@ final class RobotReader implements ConnectionOwner {
 
     /** Reports the robot's activity soon, unless a command is sent first. */
     synchronized void reportSoon() {
-        framesUntilTold = CommandEffect.SHOW_FRAMES;
+        framesUntilReport = CommandEffect.SHOW_FRAMES;
     }
 
     /** Reports the robot's circumstances with the next frame, even if they have not changed. */
@@ -269,7 +269,7 @@ final class RobotReader implements ConnectionOwner {
 
     /** A command has been sent. */
     synchronized void commanded(Command command) {
-        framesUntilTold = 0;
+        framesUntilReport = 0;
         reportAgain |= undocking.giveUp();
         control.commanded(command);
         estimate.commanded(command);

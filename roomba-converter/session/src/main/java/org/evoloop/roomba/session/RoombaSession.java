@@ -305,7 +305,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             waking = false;
         }
         if (options.mayWait() && !isUnderControl()) {
-            tellSoon();
+            reportSoon();
             throw new RobotException(connection.description()
                     + ": the robot sleeps, and its wake line does not wake it. Press CLEAN on it");
         }
@@ -363,14 +363,14 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
      * Reports the robot's activity to listeners within a quarter of a second, unless it gets a command first. For
      * listeners that have just reported an event and need its confirmation.
      */
-    public void tellSoon() {
+    public void reportSoon() {
         reader.reportSoon();
     }
 
     /**
      * Reports the robot's circumstances to listeners again, with the next frame; see {@link SessionListener#changed}.
      */
-    public void tellAgain() {
+    public void reportAgain() {
         reader.reportAgain();
     }
 

@@ -38,7 +38,7 @@ public interface SessionListener {
     default void seen(EstimatedActivity activity) {}
 
     /**
-     * The robot's circumstances have changed, or are reported again after {@link RoombaSession#tellAgain}: then
+     * The robot's circumstances have changed, or are reported again after {@link RoombaSession#reportAgain}: then
      * {@code before} is {@link Circumstances#USUAL}.
      *
      * @param activity the robot's estimated activity

@@ -16,7 +16,7 @@ import com.tngtech.archunit.lang.ArchRule;
 import org.evoloop.converter.DeviceLink;
 import org.evoloop.function.Reading;
 
-/** The session's rooms; what it may use of other modules is in its module-info, and less of the core. */
+/** The session's packages; its module-info says which other modules it may use, of the core only some packages. */
 @AnalyzeClasses(packages = "org.evoloop.roomba.session", importOptions = ImportOption.DoNotIncludeTests.class)
 class ArchitectureTest {
     private static final String OI = "org.evoloop.roomba.oi..";

@@ -11,17 +11,17 @@ import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.oi.StreamFrame;
 import org.evoloop.time.ManualClock;
 
-/** Cables in memory, one for each time a session plugs in; their other end says only what a test lets it say. */
+/** Cables in memory, one for each time a session connects; their other end sends only what a test makes it send. */
 final class Cables {
     /** The baud rate of each. */
     final List<Integer> bauds = new ArrayList<>();
 
     private final List<MemoryLink.Pair> all = new ArrayList<>();
 
-    /** Who reads what the cables say. */
+    /** Reads what the cables deliver. */
     private Runnable reader = () -> {};
 
-    /** The session that plugs these cables in and has no thread to read them. */
+    /** Makes a session without threads read these cables. */
     RoombaSession readBy(RoombaSession session) {
         reader = session::poll;
         return session;
@@ -48,7 +48,7 @@ final class Cables {
         reader.run();
     }
 
-    /** The robot shows this so many times, 15 ms apart. */
+    /** The robot sends this many frames with these values, 15 ms apart. */
     void show(int frames, SensorValues values, ManualClock clock) {
         for (int frame = 0; frame < frames; frame++) {
             say(StreamFrame.encode(RoombaSession.STREAM, values::value));
@@ -56,7 +56,7 @@ final class Cables {
         }
     }
 
-    /** These commands as they go over a cable. */
+    /** The bytes of these commands. */
     static byte[] bytes(Command... commands) {
         ByteArrayOutputStream all = new ByteArrayOutputStream();
         for (Command command : commands) {
@@ -74,7 +74,7 @@ final class Cables {
         current().device().setReading(false);
     }
 
-    /** What the robot has heard since the last look. */
+    /** The bytes that the robot has received since the last call. */
     byte[] heard() {
         byte[] buffer = new byte[1_024];
         ByteArrayOutputStream heard = new ByteArrayOutputStream();

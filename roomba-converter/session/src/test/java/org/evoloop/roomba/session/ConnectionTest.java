@@ -32,7 +32,7 @@ import org.evoloop.time.SystemClock;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The connection step by step, at a cable in memory whose other end says only what a test lets it say. */
+/** The connection step by step, on a cable in memory whose other end sends only what a test makes it send. */
 @Timeout(30)
 class ConnectionTest {
     private static final byte[] FRAME = StreamFrame.encode(RoombaSession.STREAM, packet -> 0);
@@ -56,13 +56,13 @@ class ConnectionTest {
             clock.advance(Connection.WAKE_PULSE.plusMillis(300));
             assertThat(session.isUp()).isTrue();
             assertThat(cables.heard())
-                    .as("a Start would end the control that was taken meanwhile")
+                    .as("a Start would end the control taken meanwhile")
                     .isEmpty();
         }
     }
 
     @Test
-    void whatIsTriedIsToldWithinSecondsOnce() {
+    void whatIsTriedIsReportedWithinSecondsOnce() {
         try (RoombaSession session = session(cables::plugIn)) {
             session.open();
             clock.advance(Duration.ofSeconds(2));
@@ -83,7 +83,7 @@ class ConnectionTest {
     }
 
     @Test
-    void aSilentRobotIsToldAtTheAlternateRateToComeBack() {
+    void aSilentRobotIsSentTheUsualRateAtItsAlternateOne() {
         try (RoombaSession session = session(cables::plugIn)) {
             session.open();
             while (cables.bauds.size() < 2) {
@@ -98,11 +98,11 @@ class ConnectionTest {
                 clock.advance(Duration.ofMillis(10));
             }
             assertThat(cables.bauds).containsExactly(115_200, 19_200, 115_200);
-            byte[] told = cables.heard();
+            byte[] heard = cables.heard();
             byte[] rate = new Command.Baud(115_200).bytes();
-            assertThat(told).containsSubsequence(rate[0], rate[1]);
-            assertThat(told)
-                    .as("what could be pending is completed first")
+            assertThat(heard).containsSubsequence(rate[0], rate[1]);
+            assertThat(heard)
+                    .as("a possibly incomplete command is completed first")
                     .startsWith(new byte[] {(byte) 128, (byte) 128});
             cables.say(FRAME);
             assertThat(session.isUp()).isTrue();
@@ -201,7 +201,7 @@ class ConnectionTest {
             assertThat(cables.bauds).containsExactly(115_200, 115_200, 115_200);
             clock.advance(Duration.ofSeconds(1));
             assertThat(session.isUp())
-                    .as("what was to be asked over the second link is forgotten")
+                    .as("what was to be requested over the second link is forgotten")
                     .isTrue();
             assertThat(cables.bauds).hasSize(3);
         }
@@ -328,7 +328,7 @@ class ConnectionTest {
         }
     }
 
-    /** Notes when Safe and DriveDirect are sent. */
+    /** Records when Safe and DriveDirect are sent. */
     private static final class TimedLink extends ForwardingLink {
         private final Clock clock;
         private final List<Long> sentNanos;

@@ -35,11 +35,14 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Sessions at real serial ports: what is told about whatever stands at the other end, and what is survived. */
+/**
+ * Sessions at real serial ports: what is reported about different devices at the other end, and which faults are
+ * survived.
+ */
 @EnabledOnOs(OS.LINUX)
 @Timeout(60)
 class DiagnosisTest {
-    /** Its limits are so long, in real time, that a busy computer is not taken for a silent robot. */
+    /** With limits long enough in real time that a slow computer does not look like a silent robot. */
     private static final SessionOptions PATIENT = SessionOptions.defaults().withSilenceLimit(Duration.ofSeconds(20));
 
     private final Clock clock = new SystemClock(20);
@@ -65,7 +68,7 @@ class DiagnosisTest {
                 baud -> SerialLink.open(new SerialSettings(port().toString()).withBaud(baud)), clock, options);
     }
 
-    /** Opens a session at a port where something says this again and again, and hears nothing. */
+    /** Opens a session at a port where something sends this repeatedly and reads nothing. */
     private String diagnosisOf(byte[] saying) throws Exception {
         try (Pty pty = Pty.open(port());
                 RoombaSession session = session(SessionOptions.defaults())) {
@@ -90,7 +93,7 @@ class DiagnosisTest {
     }
 
     @Test
-    void aPortWhereNobodyAnswersIsNamedWithTheMend() throws Exception {
+    void aPortWithoutAnAnswerIsNamedWithARemedy() throws Exception {
         assertThat(diagnosisOf(new byte[0]))
                 .startsWith("serial port " + port())
                 .contains("no answer at 115200 nor 19200 baud", "asleep or off", "Press CLEAN");
@@ -126,7 +129,7 @@ class DiagnosisTest {
     }
 
     @Test
-    void aPortThatDoesNotExistIsToldAtOnce() {
+    void aPortThatDoesNotExistIsReportedAtOnce() {
         try (RoombaSession session = session(PATIENT)) {
             assertThatThrownBy(session::open)
                     .isInstanceOfSatisfying(
@@ -137,7 +140,7 @@ class DiagnosisTest {
     }
 
     @Test
-    void aPortThatIsInUseIsToldAtOnce() throws IOException {
+    void aPortThatIsInUseIsReportedAtOnce() throws IOException {
         try (SimulatorServer robot = robot(RobotOptions.builder());
                 RoombaSession first = session(PATIENT);
                 RoombaSession second = session(PATIENT)) {
@@ -165,8 +168,8 @@ class DiagnosisTest {
     void aModeThatIsReportedTooHighIsReadRight() throws Exception {
         try (SimulatorServer robot = robot(RobotOptions.builder().modeOffset(1))) {
             assertThat(robot.robot().state().oiMode()).isEqualTo(OiMode.OFF);
-            for (SessionOptions told : List.of(PATIENT, PATIENT.withModeOffset(1))) {
-                try (RoombaSession session = session(told)) {
+            for (SessionOptions options : List.of(PATIENT, PATIENT.withModeOffset(1))) {
+                try (RoombaSession session = session(options)) {
                     session.open();
                     session.awaitRobot();
                     await().untilAsserted(() -> assertThat(session.describe()).contains("mode passive"));
@@ -192,7 +195,7 @@ class DiagnosisTest {
     }
 
     @Test
-    void aNoisyLineIsNoHindrance() throws Exception {
+    void aNoisyLineIsTolerated() throws Exception {
         RobotOptions.Builder noisy =
                 RobotOptions.builder().noise(true).dropShare(0.002).corruptShare(0.002);
         try (SimulatorServer robot = robot(noisy);

@@ -4,7 +4,7 @@ import org.evoloop.roomba.oi.OiMode;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
 
-/** Frames of the stream as a robot might send them. */
+/** Stream frames as a robot might send them. */
 public final class Frames {
     private Frames() {}
 
@@ -17,7 +17,7 @@ public final class Frames {
         });
     }
 
-    /** A robot that cleans by itself. */
+    /** A robot cleaning by itself. */
     public static SensorValues cleaning() {
         return resting(OiMode.PASSIVE).with(Packet.CURRENT, -1_100).with(Packet.MAIN_BRUSH_CURRENT, 400);
     }

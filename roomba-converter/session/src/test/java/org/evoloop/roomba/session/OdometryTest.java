@@ -19,7 +19,7 @@ class OdometryTest {
     private int left;
     private int right;
 
-    /** Rolls both wheels on by so many counts. */
+    /** Turns the wheels by this many counts. */
     private OdometryPose roll(int leftCounts, int rightCounts) {
         left += leftCounts;
         right += rightCounts;
@@ -120,7 +120,7 @@ class OdometryTest {
     }
 
     @Test
-    void aPoseTellsDistanceAndBearing() {
+    void aPoseGivesDistanceAndBearing() {
         OdometryPose pose = new OdometryPose(100, 200, 7 * Math.PI / 2);
         assertThat(pose.distanceTo(400, 600)).isCloseTo(500, within(0.001));
         assertThat(pose.bearingTo(100, 0)).isCloseTo(0, within(0.001));

@@ -28,7 +28,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** A robot that nobody uses: it sleeps and is woken, stands on its dock and is driven off it. */
+/** An unused robot: it sleeps and is woken, is on its dock and is driven off it. */
 class RobotAtRestTest {
     private static final SensorValues PASSIVE = Frames.resting(OiMode.PASSIVE);
     private static final SensorValues CONTROLLED = Frames.resting(OiMode.SAFE);
@@ -40,7 +40,7 @@ class RobotAtRestTest {
     private final ManualClock clock = new ManualClock();
     private final Cables cables = new Cables();
     private final List<Boolean> wakeLine = new ArrayList<>();
-    private final List<String> told = new ArrayList<>();
+    private final List<String> notices = new ArrayList<>();
     private boolean wired = true;
     private final RoombaSession session = cables.readBy(
             new RoombaSession(this::plugIn, clock, SessionOptions.defaults().withoutWaiting()));
@@ -59,7 +59,7 @@ class RobotAtRestTest {
         session.addListener(new SessionListener() {
             @Override
             public void changed(Circumstances before, Circumstances now, EstimatedActivity activity) {
-                told.add((now.asleep() ? "asleep" : now.docked() ? "docked" : "usual") + ", " + activity);
+                notices.add((now.asleep() ? "asleep" : now.docked() ? "docked" : "usual") + ", " + activity);
             }
         });
         session.open();
@@ -67,7 +67,7 @@ class RobotAtRestTest {
         session.leaveAlone();
         frames(100, PASSIVE);
         cables.heard();
-        told.clear();
+        notices.clear();
     }
 
     @AfterEach
@@ -92,7 +92,7 @@ class RobotAtRestTest {
         fallAsleep();
         clock.advance(Duration.ofHours(8));
         assertThat(wakeLine).isEmpty();
-        assertThat(told).containsExactly("asleep, STANDBY");
+        assertThat(notices).containsExactly("asleep, STANDBY");
         assertThat(session.isUp()).isTrue();
         assertThat(session.downSince()).isEmpty();
         assertThat(session.describe()).contains("asleep; the next event wakes it");
@@ -121,7 +121,7 @@ class RobotAtRestTest {
         assertThat(cables.heard()).startsWith(bytes(new Command.Safe(), STAND));
         frames(5, CONTROLLED);
         assertThat(session.isUnderControl()).isTrue();
-        assertThat(told).containsExactly("asleep, STANDBY", "usual, STANDBY");
+        assertThat(notices).containsExactly("asleep, STANDBY", "usual, STANDBY");
     }
 
     @Test
@@ -135,7 +135,7 @@ class RobotAtRestTest {
     }
 
     @Test
-    void whoeverWakesItIsHeard() {
+    void aWakingPressIsReported() {
         fallAsleep();
         cables.heard();
         cables.say("key-wakeup\r\n".getBytes(StandardCharsets.US_ASCII));
@@ -144,18 +144,18 @@ class RobotAtRestTest {
     }
 
     @Test
-    void whoeverHasWokenItUnheardIsFound() {
+    void aWakingThatWasNotReceivedIsFound() {
         fallAsleep();
         cables.heard();
         clock.advance(Connection.ASK_SLEEPER.plus(Duration.ofMillis(300)));
         assertThat(cables.heard()).isEqualTo(bytes(new Command.Start(), new InputCommand.Stream(RoombaSession.STREAM)));
         frames(20, PASSIVE);
         assertThat(session.isAsleep()).isFalse();
-        assertThat(told).containsExactly("asleep, STANDBY", "usual, STANDBY");
+        assertThat(notices).containsExactly("asleep, STANDBY", "usual, STANDBY");
     }
 
     @Test
-    void unusedItIsLetGo() {
+    void unusedItIsReleased() {
         session.takeControl();
         frames(3, CONTROLLED);
         cables.heard();
@@ -166,7 +166,7 @@ class RobotAtRestTest {
     }
 
     @Test
-    void itLeavesItsDockInFullModeAndGoesOnInSafe() throws InterruptedException {
+    void itLeavesItsDockInFullModeAndContinuesInSafe() throws InterruptedException {
         SensorValues full = Frames.resting(OiMode.FULL).with(Packet.CHARGING_SOURCES, 2);
         frames(5, DOCKED);
         session.leaveDock();
@@ -186,7 +186,7 @@ class RobotAtRestTest {
     }
 
     @Test
-    void whoeverMovesItOnItsWayOffTheDockHasIt() throws InterruptedException {
+    void movingItOnItsWayOffTheDockTakesPrecedence() throws InterruptedException {
         frames(5, DOCKED);
         session.leaveDock();
         session.release();
@@ -221,8 +221,8 @@ class RobotAtRestTest {
         frames(200, DOCKED);
         assertThat(session.isUndocking()).isFalse();
         assertThat(cables.heard()).endsWith(bytes(STAND, new Command.Start()));
-        told.clear();
+        notices.clear();
         frames(1, DOCKED);
-        assertThat(told).as("whoever believes otherwise is told").containsExactly("docked, ON");
+        assertThat(notices).as("reported, in case a listener assumes otherwise").containsExactly("docked, ON");
     }
 }

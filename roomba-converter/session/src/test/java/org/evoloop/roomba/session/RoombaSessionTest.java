@@ -21,7 +21,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** What a session sends to its robot and tells of it, for what the robot shows. */
+/** What a session sends and reports for given frames of its robot. */
 class RoombaSessionTest {
     private static final Command SAFE = new Command.Safe();
     private static final Command STOP = new DriveDirect(0, 0);
@@ -34,19 +34,19 @@ class RoombaSessionTest {
     private final Cables cables = new Cables();
     private final RoombaSession session = cables.readBy(
             new RoombaSession(cables::plugIn, clock, SessionOptions.defaults().withoutWaiting()));
-    private final List<String> told = new ArrayList<>();
+    private final List<String> notices = new ArrayList<>();
 
     @BeforeEach
     void open() {
         session.addListener(new SessionListener() {
             @Override
             public void pressed(Button button, boolean robotActs) {
-                told.add(button + (robotActs ? " obeyed" : " reported"));
+                notices.add(button + (robotActs ? " obeyed" : " reported"));
             }
 
             @Override
             public void seen(EstimatedActivity activity) {
-                told.add("seen " + activity);
+                notices.add("seen " + activity);
             }
         });
         session.open();
@@ -60,7 +60,7 @@ class RoombaSessionTest {
         clock.close();
     }
 
-    /** The robot shows this so many times. */
+    /** The robot sends this many frames with these values. */
     private void frames(int count, SensorValues values) {
         cables.show(count, values, clock);
     }
@@ -72,7 +72,7 @@ class RoombaSessionTest {
         cables.heard();
     }
 
-    /** Nothing comes from the robot until that is noticed, and then until it has been asked. */
+    /** Nothing arrives from the robot until the session has noticed, and has contacted it again. */
     private void silence() {
         clock.advance(SessionOptions.defaults().silenceLimit().plusMillis(300));
         assertThat(session.isUp()).isFalse();
@@ -80,7 +80,7 @@ class RoombaSessionTest {
     }
 
     @Test
-    void ofARobotOutOfReachNothingIsToldUntilItIsBack() {
+    void anUnreachableRobotHasNoReadingsUntilItIsBack() {
         frames(2, CONTROLLED);
         assertThat(session.readings()).isNotEmpty();
 
@@ -102,7 +102,7 @@ class RoombaSessionTest {
     }
 
     @Test
-    void controlThatTheRobotGivesUpIsTakenAgainWhenItStands() {
+    void controlThatTheRobotGivesUpIsTakenAgainWhenItStandsStill() {
         takeControl();
         frames(300, LIFTED);
         assertThat(cables.heard()).as("in the air it would not obey").isEmpty();
@@ -136,18 +136,18 @@ class RoombaSessionTest {
         }
         frames(100, Frames.cleaning());
         assertThat(cables.heard()).isEmpty();
-        assertThat(told).containsExactly("seen CLEAN");
+        assertThat(notices).containsExactly("seen CLEAN");
     }
 
     @Test
     void aPressIsObeyedByTheRobotUnlessItIsUnderControl() {
         frames(3, PASSIVE.with(Packet.BUTTONS, 1));
-        assertThat(told).containsExactly("CLEAN obeyed", "seen ON");
+        assertThat(notices).containsExactly("CLEAN obeyed", "seen ON");
         frames(3, PASSIVE);
         takeControl();
-        told.clear();
+        notices.clear();
         frames(3, CONTROLLED.with(Packet.BUTTONS, 1));
-        assertThat(told).containsExactly("CLEAN reported");
+        assertThat(notices).containsExactly("CLEAN reported");
     }
 
     @Test
@@ -159,15 +159,15 @@ class RoombaSessionTest {
         assertThatThrownBy(() -> session.send(new Command.Spot()))
                 .isInstanceOf(RobotException.class)
                 .hasMessageContaining("has just reconnected");
-        told.clear();
+        notices.clear();
         frames(2, CONTROLLED);
-        assertThat(told).containsExactly("seen ON");
+        assertThat(notices).containsExactly("seen ON");
         session.send(new Command.Spot());
         assertThat(cables.heard()).isEqualTo(bytes(new Command.Spot()));
     }
 
     @Test
-    void aRobotThatNobodyIsEngagedWithIsStoppedOnlyWhenSomebodyIs() {
+    void anActiveRobotIsStoppedOnlyOnceEngaged() {
         session.release();
         silence();
         frames(100, Frames.cleaning());
@@ -193,25 +193,25 @@ class RoombaSessionTest {
     }
 
     @Test
-    void whoeverEngagesIsToldWhatHappenedBefore() {
+    void onEngagingTheEarlierActivityIsReported() {
         frames(3, PASSIVE.with(Packet.BUTTONS, 1));
         frames(100, PASSIVE);
-        told.clear();
+        notices.clear();
         session.leaveAlone();
         frames(SpotWatch.QUIET_FRAMES, PASSIVE);
-        assertThat(told).containsExactly("seen ON");
+        assertThat(notices).containsExactly("seen ON");
         frames(300, PASSIVE);
-        assertThat(told).hasSize(1);
+        assertThat(notices).hasSize(1);
     }
 
     @Test
-    void whoeverCommandsIsNotToldWhatWasBefore() {
+    void afterACommandTheEarlierActivityIsNotReported() {
         frames(3, PASSIVE.with(Packet.BUTTONS, 1));
-        told.clear();
+        notices.clear();
         session.leaveAlone();
         session.send(new Command.Clean());
         frames(100, PASSIVE);
-        assertThat(told).isEmpty();
+        assertThat(notices).isEmpty();
     }
 
     @Test
@@ -222,25 +222,25 @@ class RoombaSessionTest {
         assertThat(cables.heard()).isEqualTo(bytes(SAFE, STOP));
         frames(5 * SpotWatch.QUIET_FRAMES, DOCKED);
         assertThat(cables.heard()).startsWith(bytes(SAFE)).endsWith(bytes(SAFE));
-        assertThat(told).isEmpty();
+        assertThat(notices).isEmpty();
         frames(SpotWatch.QUIET_FRAMES, DOCKED);
-        assertThat(told).containsExactly("seen ON");
+        assertThat(notices).containsExactly("seen ON");
         session.takeControl();
         frames(6 * SpotWatch.QUIET_FRAMES, DOCKED);
         cables.heard();
         frames(300, DOCKED);
-        assertThat(cables.heard()).as("it charges in peace").isEmpty();
+        assertThat(cables.heard()).as("its charging is not disturbed").isEmpty();
     }
 
     @Test
-    void aPressThatTheCableWasPulledInIsNotHalfHeard() {
+    void aPressInterruptedByAPulledCableIsNotHalfReceived() {
         session.leaveAlone();
         frames(1, PASSIVE.with(Packet.BUTTONS, 1));
         cables.hangUp();
         clock.advance(Connection.LOOK);
         cables.heard();
         frames(4, PASSIVE);
-        assertThat(told).isEmpty();
+        assertThat(notices).isEmpty();
         assertThat(cables.heard()).endsWith(bytes(SAFE, STOP));
     }
 

@@ -10,7 +10,7 @@ import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.library.dependencies.SlicesRuleDefinition;
 
-/** The simulator's rooms; what it may use of other modules is in its module-info, and less of the core. */
+/** The simulator's packages; its module-info says which other modules it may use, of the core only some packages. */
 @AnalyzeClasses(packages = "org.evoloop.roomba.simulator", importOptions = ImportOption.DoNotIncludeTests.class)
 class ArchitectureTest {
     @ArchTest

@@ -48,7 +48,7 @@ class SimulatorCommandTest {
     }
 
     @Test
-    void itTellsThatItIsReadyAnswersAndQuits() {
+    void itReportsThatItIsReadyAnswersAndQuits() {
         Path link = folder.resolve("roomba");
         int exitCode = run("press clean\nnonsense\nexit\nstate\n", "--link", link.toString());
         assertThat(output.toString().lines())
@@ -112,7 +112,7 @@ class SimulatorCommandTest {
     }
 
     @Test
-    void allThatIsWrongIsToldAtOnce() {
+    void allMistakesAreReportedAtOnce() {
         String link = folder.resolve("roomba").toString();
         assertThat(run("", "--link", link, "--battery", "101", "--baud", "9601", "--mode-offset", "2"))
                 .isEqualTo(2);
@@ -132,7 +132,7 @@ class SimulatorCommandTest {
     }
 
     @Test
-    void aCameraTellsItsAddress() {
+    void aCameraPrintsItsAddress() {
         String link = folder.resolve("roomba").toString();
         assertThat(run("camera stall\nexit\n", "--link", link, "--camera", "0", "--camera-size", "320x240"))
                 .isZero();
@@ -198,7 +198,7 @@ class SimulatorCommandTest {
         try (Pty early = Pty.open()) {
             Files.createSymbolicLink(link, early.slavePath());
         }
-        // The kernel gives the lowest number that is free; until its clock has ticked both are of the same age.
+        // The kernel assigns the lowest free number; until its clock ticks, both have the same age.
         Pty younger = Pty.open();
         while (changed(younger.slavePath()).compareTo(changed(link)) <= 0) {
             younger.close();
@@ -233,7 +233,7 @@ class SimulatorCommandTest {
     }
 
     @Test
-    void toldSoItGoesOnAtTheEndOfInputAndASignalEndsIt() throws Exception {
+    void onRequestItContinuesAtTheEndOfInputAndASignalEndsIt() throws Exception {
         Path link = folder.resolve("roomba");
         Process process = inBackground(link);
         try {

@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.evoloop.roomba.move.phase.Situation.Obstacle;
 import org.evoloop.roomba.session.OdometryPose;
 
-/** Situations for tests by value: a robot under control at the origin that sees nothing, and what differs from that. */
+/** Situations as values for tests: a robot under control at the origin that sees nothing, and variations of that. */
 final class Given {
     private static final Target MARKER = new Target(400, 20, true);
     static final Memory MEMORY = new Memory(MARKER, Duration.ofMillis(300), Duration.ofMillis(250));
@@ -25,7 +25,7 @@ final class Given {
         return count * 1_000_000;
     }
 
-    /** The same at another time, with another look that is {@code ageMillis} old and shows nothing. */
+    /** The same situation at another time, with another look that is {@code ageMillis} old and shows nothing. */
     static Situation at(Situation situation, long millis, long frame, long ageMillis) {
         Sight sight = situation.sight();
         return new Situation(
@@ -45,7 +45,7 @@ final class Given {
                 situation.end());
     }
 
-    /** The same with a goal that was seen in the newest look. */
+    /** The same situation with a goal that was seen in the newest look. */
     static Situation seeing(Situation situation, double xMm, double yMm) {
         Sight sight = situation.sight();
         return new Situation(
@@ -65,7 +65,7 @@ final class Given {
                 situation.end());
     }
 
-    /** The same with an obstacle. */
+    /** The same situation with an obstacle. */
     static Situation touching(Situation situation, Obstacle obstacle, boolean edge) {
         return new Situation(
                 situation.nanos(),

@@ -44,7 +44,7 @@ class ManeuverTest {
     }
 
     @Test
-    void whateverIsLeftTheRobotNeverDrivesFastAndTurnsTheRightWay() {
+    void whateverDistanceIsLeftTheRobotNeverDrivesFastAndTurnsTheRightWay() {
         qt().forAll(doubles().between(0, 1e6), doubles().between(-20, 20)).checkAssert((remainingMm, bearingDeg) -> {
             DriveDirect wheels = towards(remainingMm, bearingDeg);
             assertThat((wheels.rightMmPerS() + wheels.leftMmPerS()) / 2.0).isBetween(39.0, 86.0);

@@ -20,7 +20,7 @@ class PhaseTest {
     }
 
     @Test
-    void standsWhileTheNewestLookIsStaleAndGoesOnWithTheSamePhase() {
+    void stopsWhileTheNewestLookIsStaleAndContinuesWithTheSamePhase() {
         assertThat(next(APPROACH, seeing(at(NOTHING, 1_000, 2, 301), 2_000, 0)))
                 .isEqualTo(new Phase.Step(APPROACH, Maneuver.STAND));
         assertThat(next(APPROACH, seeing(at(NOTHING, 1_000, 2, 299), 2_000, 0)).maneuver())

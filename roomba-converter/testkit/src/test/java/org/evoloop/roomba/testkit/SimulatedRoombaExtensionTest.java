@@ -26,7 +26,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.extension.RegisterExtension;
 
-/** A test of anybody's: it has a robot at a port, and leaves nothing behind. */
+/** A test of another program: it has a robot at a port, and leaves nothing behind. */
 @EnabledOnOs(OS.LINUX)
 @Timeout(60)
 class SimulatedRoombaExtensionTest {
@@ -77,7 +77,7 @@ class SimulatedRoombaExtensionTest {
     }
 
     @Test
-    void whatNeverComesToHoldIsToldWithTheRobotsState() {
+    void aConditionThatNeverHoldsIsReportedWithTheRobotsState() {
         roomba.patience(Duration.ofMillis(50));
         assertThatThrownBy(() -> roomba.until(robot -> robot.xMm() > 1e9))
                 .isInstanceOf(AssertionError.class)

@@ -9,11 +9,11 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
-/** What the kernel itself says of a thread. */
+/** The scheduling of a thread as the kernel reports it. */
 class BackgroundTest {
     @Test
     void aThreadInTheBackgroundIsContentWithLessAndNoOtherIs() throws Exception {
-        assumeTrue(Background.current().isPresent(), "this system does not tell how threads share its processors");
+        assumeTrue(Background.current().isPresent(), "this system does not show how threads share its processors");
         int usual = onAThread(() -> {}).nice();
         assertThat(onAThread(Background::begin).nice()).isEqualTo(Math.max(usual, Background.NICE));
         assertThat(onAThread(() -> {}).nice()).isEqualTo(usual);
@@ -28,7 +28,7 @@ class BackgroundTest {
 
     @Test
     void beginningTwiceIsBeginningOnce() throws Exception {
-        assumeTrue(Background.current().isPresent(), "this system does not tell how threads share its processors");
+        assumeTrue(Background.current().isPresent(), "this system does not show how threads share its processors");
         Background.Share once = onAThread(Background::begin);
         assertThat(onAThread(() -> {
                     Background.begin();

@@ -33,7 +33,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A picture is made only while somebody asks for it, seldom enough, and stays when its camera is closed. */
+/** Pictures are made only while they are requested, at a limited rate, and remain when their camera is closed. */
 class CameraPreviewTest {
     private static final Sighting AHEAD = new Sighting(800, 0.1);
     private static final Duration SHORT_OF_A_TURN = Duration.ofMillis(249);
@@ -46,7 +46,7 @@ class CameraPreviewTest {
     @TempDir
     Path folder;
 
-    /** OpenCV's, which counts the pictures that it encodes. */
+    /** OpenCV's vision, which counts the pictures that it encodes. */
     private Vision countingVision() {
         return (Vision) Proxy.newProxyInstance(
                 Vision.class.getClassLoader(), new Class<?>[] {Vision.class}, (proxy, method, arguments) -> {
@@ -119,7 +119,7 @@ class CameraPreviewTest {
     }
 
     @Test
-    void nothingIsEncodedWhileNobodyLooks() {
+    void nothingIsEncodedWithoutViewers() {
         preview.offer(frame);
         assertThat(encoded).hasValue(0);
 

@@ -4,7 +4,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.evoloop.roomba.camera.vision.Frame;
 import org.evoloop.roomba.camera.vision.FrameSize;
 
-/** A frame without a picture that knows how often it was closed. */
+/** A frame without a picture that counts how often it was closed. */
 final class CountedFrame implements Frame {
     final AtomicInteger closed = new AtomicInteger();
 

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What the thread that owns a camera does when the camera misbehaves, under a clock that stands still. */
+/** What the thread that owns a camera does when the camera misbehaves, with a stopped clock. */
 @Timeout(30)
 class GrabberTest {
     private final ManualClock clock = new ManualClock();

@@ -30,7 +30,7 @@ class HealthTrackerTest {
     }
 
     @Test
-    void tellsDamagedFramesFromNone() {
+    void distinguishesDamagedFramesFromNone() {
         health.seeing(SECOND);
         health.damaged();
         health.damaged();

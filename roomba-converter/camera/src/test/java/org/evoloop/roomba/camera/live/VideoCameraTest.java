@@ -87,7 +87,7 @@ class VideoCameraTest {
                 assertThat(camera.newest().sighting()).isEmpty();
                 looks.countDown();
             });
-            // Decoders keep some frames back, so that the wall follows until all were looked at.
+            // Decoders buffer some frames, so pictures of the wall follow until all were processed.
             server.send(WALL);
             server.send(MARKER);
             server.repeat(WALL);
@@ -98,7 +98,7 @@ class VideoCameraTest {
     }
 
     @Test
-    void hasStalledWhenTheServerFallsSilentAndSeesAgainWhenItGoesOn() throws IOException {
+    void hasStalledWhenTheServerFallsSilentAndSeesAgainWhenItContinues() throws IOException {
         try (HttpCamera server = new HttpCamera();
                 VideoCamera camera = open(server.url())) {
             server.repeat(MARKER);
@@ -132,7 +132,7 @@ class VideoCameraTest {
     }
 
     @Test
-    void isGoneWhileNobodyAnswers() throws IOException {
+    void isGoneWhileThereIsNoAnswer() throws IOException {
         String url;
         try (HttpCamera server = new HttpCamera()) {
             url = server.url();
@@ -223,7 +223,7 @@ class VideoCameraTest {
     }
 
     @Test
-    void tellsWhyADeviceOrFileCannotBeOpened() {
+    void reportsWhyADeviceOrFileCannotBeOpened() {
         for (String source : List.of("/dev/video99", "/nowhere/film.avi")) {
             try (VideoCamera camera = open(source)) {
                 awaitState(camera, Condition.GONE);

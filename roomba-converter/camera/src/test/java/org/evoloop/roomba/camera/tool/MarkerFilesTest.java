@@ -25,7 +25,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What is printed is what OpenCV finds, to scale. */
+/** OpenCV finds the printed marker, and it is to scale. */
 class MarkerFilesTest {
     private static final double POINTS_PER_MM = 72 / 25.4;
     private static final Pattern DRAWN = Pattern.compile("([01]) g|([\\d.]+) ([\\d.]+) ([\\d.]+) ([\\d.]+) re f");
@@ -54,7 +54,9 @@ class MarkerFilesTest {
         }
     }
 
-    /** Paints the page as a camera with 500 px of focal length sees it from as far as makes a point a pixel. */
+    /**
+     * Paints the page as a camera with a focal length of 500 px sees it from the distance at which a point is a pixel.
+     */
     @ParameterizedTest
     @ValueSource(ints = {0, 17, 49})
     void thePdfShowsTheMarkerToScale(int id) {

@@ -32,7 +32,7 @@ class MarkerFinderTest {
 
     @ParameterizedTest
     @CsvSource({"400, 0", "500, 15", "1000, -20", "1500, 10", "2000, -5", "2500, 24", "3000, 0"})
-    void tellsDistanceAndBearing(double distanceMm, double bearingDegrees) {
+    void measuresDistanceAndBearing(double distanceMm, double bearingDegrees) {
         Sighting truth = new Sighting(distanceMm, Math.toRadians(bearingDegrees));
 
         Optional<Sighting> seen = find(Scene.of(truth, 1));

@@ -21,15 +21,15 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Reading, finding and recording leave nothing in native memory: a frame that stayed would be 225 kB. */
+/** Reading, finding and recording do not leak native memory: each leaked frame would be 225 kB. */
 @EnabledOnOs(OS.LINUX)
 class NativeMemoryTest {
     private static final int PICTURES = 50;
 
-    /** Buffers settle, and the compilers of Java work, while these are read. */
+    /** Frames during which buffers fill and Java's compilers run. */
     private static final int WARM_UP = 250;
 
-    /** What Java's own heap may take meanwhile. */
+    /** By how much Java's own heap may grow meanwhile. */
     private static final long ALLOWED_KB = 100_000;
 
     private final Vision vision = OpenCv.vision();
@@ -62,7 +62,7 @@ class NativeMemoryTest {
         }
     }
 
-    /** Opens the sequence again and again, as a camera that comes and goes is. */
+    /** Opens the sequence again and again, like a camera that disconnects and reconnects. */
     private void read(int frames, MarkerFinder finder, Frame frame, byte[] pixels) {
         CameraSource source = CameraSource.parse(folder.resolve("%d.jpg").toString());
         for (int done = 0; done < frames; done += PICTURES) {

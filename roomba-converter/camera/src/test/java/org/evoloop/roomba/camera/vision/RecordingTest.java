@@ -14,7 +14,7 @@ import org.evoloop.roomba.camera.vision.FrameReader.Outcome;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A recording takes no more room than it may, and what it holds by then can be seen. */
+/** A recording does not exceed its size limit, and its contents up to then can be viewed. */
 class RecordingTest {
     private static final int FRAMES_PER_SECOND = 15;
     private static final long NANOS_BETWEEN = 1_000_000_000L / FRAMES_PER_SECOND;

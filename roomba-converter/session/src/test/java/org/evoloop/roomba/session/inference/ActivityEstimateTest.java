@@ -11,7 +11,7 @@ import org.evoloop.roomba.session.inference.ActivityEstimate.EstimatedActivity;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** What the robot is taken to do, by its commands and its motors. */
+/** The activity inferred from the robot's commands and motors. */
 class ActivityEstimateTest {
     private static final SensorValues DRIVING = Frames.resting(OiMode.PASSIVE).with(Packet.CURRENT, -900);
 
@@ -23,11 +23,11 @@ class ActivityEstimateTest {
     }
 
     private boolean frames(int count, SensorValues values) {
-        boolean told = false;
+        boolean reported = false;
         for (int frame = 0; frame < count; frame++) {
-            told |= estimate.update(values, false, true);
+            reported |= estimate.update(values, false, true);
         }
-        return told;
+        return reported;
     }
 
     @Test

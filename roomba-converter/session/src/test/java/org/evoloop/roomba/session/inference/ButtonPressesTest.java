@@ -19,7 +19,7 @@ class ButtonPressesTest {
     }
 
     @Test
-    void aSecondButtonIsHeardWhileTheFirstIsHeld() {
+    void aSecondButtonIsReportedWhileTheFirstIsHeld() {
         presses.update(Set.of(Button.CLEAN));
         assertThat(presses.update(Set.of(Button.CLEAN, Button.SPOT))).containsExactly(Button.SPOT);
         assertThat(presses.update(Set.of(Button.SPOT))).isEmpty();

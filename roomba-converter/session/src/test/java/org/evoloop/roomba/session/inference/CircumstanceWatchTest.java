@@ -8,7 +8,7 @@ import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.session.Frames;
 import org.junit.jupiter.api.Test;
 
-/** What frames tell of where the robot is and how it fares. */
+/** What frames reveal about the robot's place and condition. */
 class CircumstanceWatchTest {
     private static final SensorValues PASSIVE = Frames.resting(OiMode.PASSIVE);
     private static final SensorValues DOCKED =
@@ -26,7 +26,7 @@ class CircumstanceWatchTest {
     }
 
     @Test
-    void oneFrameAloneMayBeSpoilt() {
+    void aSingleFrameMayBeCorrupted() {
         assertThat(frames(10, PASSIVE, false)).isFalse();
         assertThat(frames(2, DOCKED, false)).isFalse();
         assertThat(frames(1, PASSIVE, false)).isFalse();
@@ -54,7 +54,7 @@ class CircumstanceWatchTest {
     }
 
     @Test
-    void onlyARobotThatNobodyUsesIsDrowsy() {
+    void onlyAnUnusedRobotIsDrowsy() {
         frames(FIVE_MINUTES, Frames.resting(OiMode.SAFE), false);
         assertThat(watch.isDrowsy()).as("under control it never sleeps").isFalse();
         frames(FIVE_MINUTES, PASSIVE, true);
@@ -66,7 +66,7 @@ class CircumstanceWatchTest {
     }
 
     @Test
-    void aSpoiltFrameDoesNotKeepItAwake() {
+    void aCorruptedFrameDoesNotKeepItAwake() {
         for (int second = 0; second < 300; second++) {
             frames(66, PASSIVE, false);
             frames(1, PASSIVE.with(Packet.BUTTONS, 4), false);

@@ -28,9 +28,9 @@ class CommandEffectTest {
     void aCommandThatTakesControlIsObeyedWhenTheModeShowsIt() {
         effect.sending(SAFE);
         assertThat(effect.isAwaited()).isTrue();
-        assertThat(frame(PASSIVE)).as("on its way").isNull();
+        assertThat(frame(PASSIVE)).as("not yet in effect").isNull();
         assertThat(frame(CONTROLLED)).isSameAs(SAFE);
-        assertThat(frame(CONTROLLED)).as("told once").isNull();
+        assertThat(frame(CONTROLLED)).as("reported once").isNull();
         assertThat(effect.isAwaited()).isFalse();
         assertThat(effect.isOver()).isTrue();
     }
@@ -49,7 +49,7 @@ class CommandEffectTest {
         frame(CONTROLLED);
         effect.sending(SPOT);
         assertThat(frame(LIFTED)).isNull();
-        assertThat(effect.isAwaited()).as("nothing will show it any more").isFalse();
+        assertThat(effect.isAwaited()).as("no frame will show it any more").isFalse();
     }
 
     @Test

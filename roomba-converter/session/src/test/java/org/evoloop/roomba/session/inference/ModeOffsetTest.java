@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 class ModeOffsetTest {
     private final ModeOffset offset = new ModeOffset(OptionalInt.empty());
 
-    /** The robot shows this so often; returns how often it had to be sent a Start. */
+    /** The robot sends this many frames; returns how often it had to be sent a Start. */
     private int frames(int count, int reported) {
         int starts = 0;
         for (int frame = 0; frame < count; frame++) {
@@ -44,7 +44,7 @@ class ModeOffsetTest {
     }
 
     @Test
-    void textThatWasTakenForAFrameTellsNothing() {
+    void textThatLooksLikeAFrameIsIgnored() {
         assertThat(frames(1_000, 32)).isZero();
         assertThat(offset.isKnown()).isFalse();
     }
@@ -53,7 +53,7 @@ class ModeOffsetTest {
     void aModeThatTheOffsetRulesOutProvesItWrong() {
         ModeOffset given = new ModeOffset(OptionalInt.of(0));
         given.update(4);
-        assertThat(given.value()).as("one frame may be spoilt").isZero();
+        assertThat(given.value()).as("one frame may be corrupted").isZero();
         given.update(4);
         assertThat(given.value()).isEqualTo(1);
         given.update(0);

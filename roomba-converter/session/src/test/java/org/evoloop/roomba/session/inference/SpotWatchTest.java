@@ -17,7 +17,7 @@ class SpotWatchTest {
 
     private final SpotWatch watch = new SpotWatch();
 
-    /** Feeds the same frame so many times; the ending may come with the last one only. */
+    /** Feeds the same frame this many times; only the last one may bring the ending. */
     private @Nullable Ending feed(SensorValues frame, int times) {
         for (int i = 1; i < times; i++) {
             assertThat(watch.update(frame)).as("frame %d of %d", i, times).isNull();
@@ -26,7 +26,7 @@ class SpotWatchTest {
     }
 
     @Test
-    void tellsNothingIfNobodyAskedForASpotCleaning() {
+    void reportsNothingWithoutASpotCleaning() {
         assertThat(feed(cleaning(), 500)).isNull();
         assertThat(feed(REST, 500)).isNull();
     }
@@ -41,7 +41,7 @@ class SpotWatchTest {
     }
 
     @Test
-    void aPauseOfLessThanASecondIsNoEnd() {
+    void aPauseOfLessThanASecondIsNotTheEnd() {
         watch.started();
         for (int bumps = 0; bumps < 20; bumps++) {
             assertThat(feed(cleaning(), 50)).isNull();
@@ -68,14 +68,14 @@ class SpotWatchTest {
     }
 
     @Test
-    void aRobotThatNeverBeginsIsToldSo() {
+    void aRobotThatNeverBeginsIsReported() {
         watch.started();
         assertThat(feed(REST, SpotWatch.START_FRAMES)).isEqualTo(Ending.NOT_STARTED);
         assertThat(feed(REST, 500)).isNull();
     }
 
     @Test
-    void movingUnderControlIsNoSpotCleaning() {
+    void movingUnderControlIsNotASpotCleaning() {
         watch.started();
         SensorValues driven = resting(OiMode.SAFE).with(Packet.CURRENT, -900);
         assertThat(feed(driven, SpotWatch.START_FRAMES)).isEqualTo(Ending.NOT_STARTED);
@@ -99,7 +99,7 @@ class SpotWatchTest {
     void lostFramesMakeItLateNeverEarly() {
         watch.started();
         feed(cleaning(), 100);
-        // Every second frame is lost: what comes is counted, so the second of rest takes two.
+        // Every second frame is lost. Received frames are counted, so the second of rest takes two seconds.
         int seen = 0;
         Ending ending = null;
         for (int frame = 0; ending == null; frame++) {

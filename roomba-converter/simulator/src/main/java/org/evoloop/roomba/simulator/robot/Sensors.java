@@ -73,9 +73,9 @@ final class Sensors {
 
         int take(double total) {
             int since = (int) (total - seen);
-            int told = Math.max(Short.MIN_VALUE, Math.min(Short.MAX_VALUE, since));
+            int reported = Math.max(Short.MIN_VALUE, Math.min(Short.MAX_VALUE, since));
             seen += since;
-            return told;
+            return reported;
         }
     }
 

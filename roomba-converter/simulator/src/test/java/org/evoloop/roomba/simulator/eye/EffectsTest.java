@@ -10,7 +10,7 @@ import org.evoloop.roomba.simulator.room.Room;
 import org.junit.jupiter.api.Test;
 
 class EffectsTest {
-    /** So near and so large that the tag's black left border is as wide as any blur. */
+    /** So near and so large that the tag's black left border is at least as wide as any blur. */
     private static final Room NEAR_TAG =
             Shot.PLAIN.withMarker(new Marker(new Pose(1_000, 0, Math.PI), 0, 600, 400, false, false));
 
@@ -20,7 +20,7 @@ class EffectsTest {
         return Shot.of(Shot.with(effects), NEAR_TAG);
     }
 
-    /** The standard deviation of what an edge's levels do from white to black, within 40 pixels. */
+    /** The standard deviation of an edge's transition from white to black, within 40 pixels. */
     private static double edgeWidthPx(Shot shot, int edge) {
         double sum = 0;
         double first = 0;
@@ -34,7 +34,7 @@ class EffectsTest {
         return Math.sqrt(second / sum - first / sum * (first / sum));
     }
 
-    /** The left side of the tag's black. */
+    /** The left edge of the tag's black border. */
     private static int edge() {
         return (int) Math.round(320 - EyeOptions.defaults().focalPx() * 0.3);
     }
@@ -45,14 +45,14 @@ class EffectsTest {
         assertThat(sharp).isLessThan(0.6);
         assertThat(edgeWidthPx(shot(new Effects(1.5, 0, 0, 0, 1, 1)), edge())).isCloseTo(1.5, within(0.15));
         assertThat(edgeWidthPx(shot(new Effects(4, 0, 0, 0, 1, 1)), edge())).isCloseTo(4, within(0.3));
-        // A box's standard deviation is its width by the root of 12.
+        // A box's standard deviation is its width divided by the root of 12.
         assertThat(edgeWidthPx(shot(new Effects(0, 0, 14, 0, 1, 1)), edge())).isCloseTo(14 / 3.46, within(0.3));
     }
 
     @Test
     void aTurnSmearsByHowFarItGoesDuringTheExposure() {
         EyeOptions options = Shot.with(Effects.CLEAN.withExposureMillis(20));
-        // 20 ms at 1.5 rad/s are 0.03 rad, in the middle of the picture 16.6 pixels.
+        // 20 ms at 1.5 rad/s are 0.03 rad, 16.6 pixels in the middle of the picture.
         Shot turning = new Shot(new Eye(options).render(NEAR_TAG, Pose.ORIGIN, -1.5, 0));
         assertThat(edgeWidthPx(turning, edge())).isCloseTo(16.6 / 3.46, within(0.3));
         Shot still = new Shot(new Eye(options).render(NEAR_TAG, Pose.ORIGIN, 0, 0));
@@ -68,7 +68,7 @@ class EffectsTest {
         int count = 0;
         for (int y = 0; y < 480; y += 3) {
             for (int x = 0; x < 640; x += 3) {
-                // Where nothing is cut off at black or white.
+                // Where no level is clipped at black or white.
                 if (Math.abs(clean.gray(x, y) - 128) < 80) {
                     squares += Math.pow(noisy.gray(x, y) - clean.gray(x, y), 2);
                     count++;
@@ -100,7 +100,7 @@ class EffectsTest {
     }
 
     @Test
-    void allThatIsWrongIsToldAtOnce() {
+    void allMistakesAreReportedAtOnce() {
         assertThatThrownBy(() -> new Effects(-1, 65, 61, Double.NaN, 1, 3))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("""

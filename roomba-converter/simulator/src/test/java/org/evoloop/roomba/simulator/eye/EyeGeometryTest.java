@@ -17,7 +17,7 @@ import org.evoloop.roomba.simulator.room.Room;
 import org.evoloop.roomba.simulator.room.Shape;
 import org.junit.jupiter.api.Test;
 
-/** Pictures against the pinhole's formula, reckoned here once more from the options alone. */
+/** Compares pictures with the pinhole formula, calculated here independently from the options. */
 class EyeGeometryTest {
     private static final EyeOptions CLEAN = Shot.with(Effects.CLEAN);
     private static final double WHITE = 0xF4;
@@ -36,7 +36,7 @@ class EyeGeometryTest {
 
     @Test
     void theTagsCornersAreWhereThePinholeProjectsThem() {
-        // At 40 degrees a border is at least 3 pixels wide, so that edges can be told apart.
+        // At 40 degrees a border is at least 3 pixels wide, so that edges can be distinguished.
         qt().withExamples(150)
                 .forAll(
                         doubles().between(350, 3_500),
@@ -48,7 +48,7 @@ class EyeGeometryTest {
 
     private void checkCorners(double distanceMm, double aside, double turnedDeg, double headingDeg) {
         Pose robot = new Pose(1_234, -567, Math.toRadians(headingDeg));
-        // So far aside that all of it is still in the picture.
+        // The largest angle at which it is still entirely in the picture.
         double mostRad = Math.toRadians(27) - Math.atan(110 / (distanceMm - 70));
         double directionRad = robot.headingRad() + aside * mostRad;
         Marker marker = Marker.at(new Pose(
@@ -57,7 +57,7 @@ class EyeGeometryTest {
                 directionRad + Math.PI + Math.toRadians(turnedDeg)));
         Shot shot = new Shot(eye.render(Shot.PLAIN.withMarker(marker), robot, 0, 0));
         for (int side = -1; side <= 1; side += 2) {
-            // To the left of those who look at it is the marker's own right.
+            // The viewer's left is the marker's own right.
             Point edge = robot.seen(marker.pose().ahead(0, 75 * side));
             Point inner = robot.seen(marker.pose().ahead(0, 62.5 * side));
             double wantedX = x(edge);
@@ -80,7 +80,9 @@ class EyeGeometryTest {
         }
     }
 
-    /** Where white becomes black, or black white, within so many pixels of a place: all levels there tell it. */
+    /**
+     * Where white becomes black, or black white, within this many pixels of a place, determined from all levels there.
+     */
     private static double edgeAt(double near, double withinPx, IntUnaryOperator levels, boolean whiteFirst) {
         int from = (int) Math.floor(near - withinPx);
         int to = (int) Math.ceil(near + withinPx);

@@ -8,7 +8,7 @@ import org.evoloop.roomba.simulator.room.Pose;
 import org.evoloop.roomba.simulator.room.Room;
 import org.evoloop.roomba.simulator.room.Shape;
 
-/** What tests ask of a picture. */
+/** A picture with accessors for tests. */
 record Shot(Picture picture) {
     static final Room PLAIN = Room.of(List.of(), null, Pose.ORIGIN);
 

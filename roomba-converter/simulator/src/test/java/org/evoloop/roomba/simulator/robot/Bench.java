@@ -11,7 +11,7 @@ import org.evoloop.roomba.oi.PacketId;
 import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.oi.StreamFramer;
 
-/** A simulated robot on the bench, and everything it has sent. */
+/** A simulated robot under test, with everything that it has sent. */
 final class Bench {
     static final Command START = new Command.Start();
     static final Command SAFE = new Command.Safe();
@@ -67,19 +67,19 @@ final class Bench {
         return robot.state();
     }
 
-    /** What the robot has sent since the last look. */
+    /** The bytes that the robot has sent since the last call. */
     byte[] sent() {
         byte[] bytes = sent.toByteArray();
         sent.reset();
         return bytes;
     }
 
-    /** What the robot has sent since the last look, as text. */
+    /** What the robot has sent since the last call, as text. */
     String sentText() {
         return new String(sent(), StandardCharsets.ISO_8859_1);
     }
 
-    /** Pulls the wake line low for so long. */
+    /** Pulls the wake line low for this long. */
     Bench pulse(int millis) {
         robot.wakeLine(true);
         ticks((millis + SimulatedRoomba.TICK_MILLIS - 1) / SimulatedRoomba.TICK_MILLIS);
@@ -87,7 +87,7 @@ final class Bench {
         return this;
     }
 
-    /** The frames among what the robot has sent since the last look. */
+    /** The frames in what the robot has sent since the last call. */
     List<SensorValues> frames() {
         byte[] bytes = sent();
         return StreamFramer.forAnyPackets().feed(bytes, 0, bytes.length);

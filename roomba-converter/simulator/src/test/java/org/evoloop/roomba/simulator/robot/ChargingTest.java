@@ -15,7 +15,7 @@ import org.evoloop.roomba.simulator.room.Pose;
 import org.evoloop.roomba.simulator.room.Room;
 import org.junit.jupiter.api.Test;
 
-/** Battery, dock, and the text that comes with charging. */
+/** Battery, dock, and the text sent while charging. */
 class ChargingTest {
     private static final Pattern LINE = Pattern.compile(
             "bat:   min \\d+  sec \\d+  mV \\d{5}  mA \\d+" + "  tenths-deg-C \\d+  mAH \\d+  state \\d  \r\n");
@@ -57,9 +57,7 @@ class ChargingTest {
         Bench bench = docked(90).send(Bench.FULL).ticks(1);
         SensorValues values = all(bench);
         assertThat(values.chargingState()).contains(ChargingState.NOT_CHARGING);
-        assertThat(values.onHomeBase())
-                .as("the contacts have current all the same")
-                .isTrue();
+        assertThat(values.onHomeBase()).as("the contacts still have current").isTrue();
         assertThat(values.currentMilliAmps()).isNegative();
         bench.send(Bench.START).ticks(1);
         assertThat(all(bench).chargingState()).contains(ChargingState.FULL_CHARGING);
@@ -81,7 +79,7 @@ class ChargingTest {
     }
 
     @Test
-    void cleaningLeavesTheDockAndEndsWhenSomebodyPutsItBack() {
+    void cleaningLeavesTheDockAndEndsWhenItIsPutBack() {
         Bench bench = docked(90).send(new Command.Clean()).seconds(10);
         assertThat(bench.state().activity()).isEqualTo(RobotActivity.CLEAN);
         assertThat(bench.state().surroundings().docked()).isFalse();

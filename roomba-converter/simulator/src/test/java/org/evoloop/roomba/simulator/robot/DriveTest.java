@@ -171,7 +171,7 @@ class DriveTest {
             angleDeg += bench.query(Packet.ANGLE);
         }
         double travelledMm = (bench.query(Packet.LEFT_ENCODER) + bench.query(Packet.RIGHT_ENCODER)) / 2.0 * 0.444565;
-        assertThat((double) distanceMm).as("no look loses a fraction").isCloseTo(travelledMm, offset(1.5));
+        assertThat((double) distanceMm).as("no query loses a fraction").isCloseTo(travelledMm, offset(1.5));
         double turnedDeg =
                 Math.toDegrees((bench.query(Packet.RIGHT_ENCODER) - bench.query(Packet.LEFT_ENCODER)) * 0.444565 / 235);
         assertThat((double) angleDeg).isCloseTo(turnedDeg, offset(1.5));

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What robots and cables have been seen to do wrong, each switched on by an option. */
+/** Faults observed with real robots and cables, each enabled by an option. */
 class MisbehaviorTest {
     private static final int TICKS = 2_000;
 
@@ -81,11 +81,11 @@ class MisbehaviorTest {
         assertThat(changed).as("seed %s", seed).isCloseTo(clean.length / 20, within(clean.length / 100));
     }
 
-    /** What comes of a stream, asked for until the robot has understood. */
+    /** What arrives of a stream that is requested until the robot has understood. */
     private static byte[] dropped(RobotOptions.Builder options) {
         Bench bench = new Bench(options.build());
         while (!bench.state().streaming()) {
-            // Zeros end whatever command is unfinished.
+            // Zeros complete any unfinished command.
             bench.robot.receive(new byte[600], 600);
             bench.send(Bench.START).stream(Packet.CLIFF_LEFT_SIGNAL, Packet.VIRTUAL_WALL);
         }
@@ -127,7 +127,7 @@ class MisbehaviorTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"3.2.6", "3.3.0", "3.4.0", "3.4.1", "3.7.7"})
-    void oldFirmwareTellsWrongDistancesAndAngles(String version) {
+    void oldFirmwareReportsWrongDistancesAndAngles(String version) {
         FirmwareVersion firmware = FirmwareVersion.parse(version);
         Bench bench =
                 Bench.in(OiMode.FULL, RobotOptions.builder().firmware(firmware).build());

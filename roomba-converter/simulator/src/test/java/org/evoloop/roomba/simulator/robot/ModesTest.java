@@ -20,9 +20,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** The specification's modes and which commands lead from one to the other. */
+/** The specification's modes, and which commands lead from one to another. */
 class ModesTest {
-    /** Where each command without data leads from Passive, Safe and Full; from Off only Start and Reset lead away. */
+    /**
+     * The mode to which each command without data leads from Passive, Safe and Full; only Start and Reset lead out of
+     * Off.
+     */
     private static final Map<Opcode, OiMode> LEADS_TO = new EnumMap<>(Map.ofEntries(
             Map.entry(Opcode.RESET, OFF),
             Map.entry(Opcode.START, PASSIVE),
@@ -108,7 +111,7 @@ class ModesTest {
     }
 
     @Test
-    void resetForgetsAllButWhereTheRobotStandsAndPrintsTheFirmwaresVersion() {
+    void resetForgetsAllButTheRobotsPlaceAndPrintsTheFirmwaresVersion() {
         Bench bench = Bench.in(FULL).send(new ActuatorCommand.DriveDirect(300, 300)).seconds(1).stream(Packet.BUTTONS);
         double reachedMm = bench.state().xMm();
         bench.sent();

@@ -173,9 +173,9 @@ class ReportsTest {
                 bench.robot.press(Button.values()[random.nextInt(8)], random.nextInt(400));
                 bench.ticks(random.nextInt(20));
             }
-            // Zeros end whatever command is unfinished.
+            // Zeros complete any unfinished command.
             bench.robot.receive(new byte[1_000], 1_000);
-            // And a Reset may be among them.
+            // Among them may have been a Reset.
             bench.seconds(5).send(Bench.START, new PauseResumeStream(false));
             assertThat(bench.query(Packet.OI_MODE)).isEqualTo(1);
         });

@@ -66,7 +66,7 @@ class RobotActivityTest {
 
     @ParameterizedTest
     @EnumSource
-    void aCleaningCommandStartsAlsoFromStandbyAndPausesWhateverRuns(RobotActivity from) {
+    void aCleaningCommandStartsAlsoFromStandbyAndPausesARunningCleaning(RobotActivity from) {
         boolean pauses = from.isRunning();
         List<Command> commands =
                 List.of(new Command.Clean(), new Command.Max(), new Command.Spot(), new Command.SeekDock());

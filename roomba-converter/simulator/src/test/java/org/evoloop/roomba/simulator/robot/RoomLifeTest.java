@@ -51,7 +51,7 @@ class RoomLifeTest {
         return bench.stream(PacketGroup.GROUP_100).ticks(1).frames().get(0);
     }
 
-    /** A place with nothing near it. */
+    /** A random place with nothing near it. */
     private static Pose somewhere(Random random) {
         Pose pose;
         do {
@@ -149,7 +149,7 @@ class RoomLifeTest {
     }
 
     @Test
-    void theBumperTellsTheSide() {
+    void theBumperShowsTheSide() {
         // Looking along y at the wall x = 0, which is then to the left; turned towards it, ahead to the left.
         assertThat(at(170.5, 2_000, 90).query(Packet.BUMPS_AND_WHEEL_DROPS)).isZero();
         assertThat(at(170.5, 2_000, 130).query(Packet.BUMPS_AND_WHEEL_DROPS)).isEqualTo(2);
@@ -180,7 +180,7 @@ class RoomLifeTest {
     }
 
     @Test
-    void theCliffSensorsTellTheSide() {
+    void theCliffSensorsShowTheSide() {
         // The stairs' edge runs along x at y = 2800; looking along x they are to the left.
         SensorValues left = sensed(at(4_500, 2_700, 0));
         assertThat(left.value(Packet.CLIFF_LEFT)).isEqualTo(1);

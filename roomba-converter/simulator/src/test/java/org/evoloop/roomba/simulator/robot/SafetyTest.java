@@ -19,11 +19,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What ends the mode Safe by itself, and what does not (specification, "Safe Mode"). */
+/** What ends Safe mode automatically, and what does not (specification, "Safe Mode"). */
 class SafetyTest {
     private static final Pose EDGE_AHEAD = new Pose(0, 0, 0);
 
-    /** Half a metre ahead of the origin is a wall, or a cliff. */
+    /** With a wall or a cliff half a metre ahead of the origin. */
     private static RobotOptions ahead(Shape.Kind kind) {
         Shape shape = new Shape(
                 kind, List.of(new Point(500, -900), new Point(900, -900), new Point(900, 900), new Point(500, 900)));

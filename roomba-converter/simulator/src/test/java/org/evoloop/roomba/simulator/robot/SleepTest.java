@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Falling asleep, waking, and the wake line's other use. */
+/** Falling asleep, waking, and the second use of the wake line. */
 class SleepTest {
     private static final int FAST = 115_200;
     private static final int SLOW = 19_200;

@@ -29,7 +29,7 @@ class UartTest {
 
     @Test
     void aSlowReaderTakesAFastByteForOneLowBitAtMost() {
-        // Ten bits at 115200 are done before the second of 19200 has been looked at.
+        // Ten bits at 115200 are over before the second bit at 19200 is sampled.
         assertThat(read(115_200, 19_200, 128)).containsExactly(0xFF);
         assertThat(read(115_200, 19_200, 0)).containsExactly(0xFF);
         assertThat(read(115_200, 19_200, 255)).containsExactly(0xFF);
@@ -37,9 +37,9 @@ class UartTest {
 
     @Test
     void aFastReaderSeesEachLowBitOfASlowByteAsOneOfItsOwn() {
-        // Six times as fast: the start bit alone is a start bit and five low bits.
+        // Six times as fast: the start bit alone is read as a start bit and five low bits.
         assertThat(read(19_200, 115_200, 255)).containsExactly(0xE0);
-        // Start bit and eight low bits without an end: one byte, and then it waits for the line to go high.
+        // Start bit and eight low bits without a stop bit: one byte, then it waits for the line to go high.
         assertThat(read(19_200, 115_200, 0)).containsExactly(0x00);
         assertThat(read(19_200, 115_200, 0b01010101)).containsExactly(0xE0, 0xE0, 0xE0, 0xE0, 0xE0);
     }

@@ -76,7 +76,7 @@ class RoomFileTest {
     }
 
     @Test
-    void theMarkerIsInNobodysWay() {
+    void theMarkerIsNoObstacle() {
         Room room = RoomFile.parse("a", List.of("marker 0 0 180"));
         assertThat(room.isFree(Pose.ORIGIN)).isTrue();
         assertThat(room.touched(Pose.ORIGIN, 100)).isEmpty();
@@ -136,14 +136,14 @@ class RoomFileTest {
                 "wall 1 2 3 4 height 300 red | 'red' is unknown here; after the corners come 'color RRGGBB' and 'height MM'",
                 "cliff 1 2 3 4 color 112233 | 'color' is not a number",
             })
-    void aMistakeNamesFileLineAndMend(String line, String message) {
+    void aMistakeNamesFileLineAndRemedy(String line, String message) {
         assertThatThrownBy(() -> RoomFile.parse("my.room", List.of("# first", "start 0 0 0", line)))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("my.room, line 3: " + message);
     }
 
     @Test
-    void aStartInTheWayNamesTheMend() {
+    void aBlockedStartNamesTheRemedy() {
         assertThatThrownBy(() -> RoomFile.parse("my.room", List.of("wall 0 0 4000 3000")))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage(
@@ -152,7 +152,7 @@ class RoomFileTest {
     }
 
     @Test
-    void aFileThatIsNoTextIsRefused(@TempDir Path folder) throws IOException {
+    void aFileThatIsNotTextIsRefused(@TempDir Path folder) throws IOException {
         Path binary = Files.write(folder.resolve("room.png"), new byte[] {(byte) 0x89, (byte) 0xFF, 0});
         assertThatThrownBy(() -> RoomFile.read(binary)).hasMessage(binary + ": is not a text file in UTF-8");
         assertThatThrownBy(() -> RoomFile.read(folder))

@@ -14,7 +14,9 @@ import java.util.List;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Whatever a viewer of the simulated camera sends, it is answered or hung up on, and the next one is served. */
+/**
+ * Whatever a viewer of the simulated camera sends, it is answered or its connection closed, and the next one is served.
+ */
 @Timeout(30)
 class MjpegFuzzTest {
     private static final int MOST_TRIES = 10_000;
@@ -22,7 +24,7 @@ class MjpegFuzzTest {
 
     private static MjpegServer server() {
         try {
-            // No picture will come, so that a stream ends at once.
+            // There will be no picture, so a stream ends at once.
             Newest<byte[]> none = new Newest<>();
             none.close();
             MjpegServer server = new MjpegServer(none, 0);
@@ -35,14 +37,15 @@ class MjpegFuzzTest {
 
     @MethodSource("seeds")
     @FuzzTest
-    void aRequestOfAnyBytesHoldsUpNobody(byte[] bytes) throws IOException {
+    void aRequestOfAnyBytesDelaysNoOther(byte[] bytes) throws IOException {
         try {
             answerTo(bytes);
         } catch (IOException hungUp) {
-            // That is its right.
+            // The server may close the connection.
         }
         String page = "";
-        // It hangs up at once while as many are connected as it serves, until it has noticed that they are gone.
+        // While the most viewers are connected it closes new connections at once, until it has noticed that others are
+        // gone.
         for (int tries = 0; page.isEmpty() && tries < MOST_TRIES; tries++) {
             try {
                 page = answerTo("GET / HTTP/1.0\r\n\r\n".getBytes(StandardCharsets.US_ASCII));
@@ -56,7 +59,7 @@ class MjpegFuzzTest {
     private static String answerTo(byte[] request) throws IOException {
         try (SilentCloseable ours = BugDetectors.allowNetworkConnections();
                 Socket socket = new Socket(InetAddress.getLoopbackAddress(), SERVER.port())) {
-            // Else its port could not be used again for a minute.
+            // Otherwise its port could not be reused for a minute.
             socket.setSoLinger(true, 0);
             socket.getOutputStream().write(request);
             socket.shutdownOutput();

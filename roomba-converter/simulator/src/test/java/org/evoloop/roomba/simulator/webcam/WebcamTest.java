@@ -61,7 +61,7 @@ class WebcamTest {
         webcam.close();
     }
 
-    /** Reads a stream as it comes, on a thread of its own. */
+    /** Reads a stream as it arrives, on its own thread. */
     private static final class Viewer {
         final BlockingQueue<byte[]> pictures = new LinkedBlockingQueue<>();
         final AtomicBoolean ended = new AtomicBoolean();
@@ -133,7 +133,7 @@ class WebcamTest {
         }
     }
 
-    /** Lets time pass until a viewer has so many pictures more. */
+    /** Lets time pass until a viewer has this many more pictures. */
     private void untilSeen(Viewer viewer, int more) {
         int wanted = viewer.pictures.size() + more;
         await().pollInterval(Duration.ofMillis(1)).until(() -> {
@@ -152,7 +152,7 @@ class WebcamTest {
         Picture truth = new Eye(SMALL.withEffects(Effects.CLEAN)).render(ROOM, ROOM.start(), 0, 0);
         assertThat(image.getWidth()).isEqualTo(160);
         assertThat(image.getHeight()).isEqualTo(120);
-        // At the bright side, where a typical camera's levels are those of a clean one but for a tenth.
+        // On the bright side, where a typical camera's levels differ from a clean one's by a tenth at most.
         double difference = 0;
         for (int y = 0; y < 120; y++) {
             int at = (y * 160 + 146) * 3;
@@ -164,7 +164,7 @@ class WebcamTest {
     }
 
     @Test
-    void nothingIsDrawnWhileNobodyLooks() throws Exception {
+    void nothingIsDrawnWithoutViewers() throws Exception {
         ticks(500);
         assertThat(webcam.drawn()).isZero();
         Viewer viewer = view();
@@ -174,7 +174,7 @@ class WebcamTest {
             ticks(3);
             return webcam.clients() == 0;
         });
-        // Whatever was asked for before is drawn when this is.
+        // Everything that was requested before has been drawn once this one is.
         byte[] last = picture();
         long drawn = webcam.drawn();
         ticks(500);
@@ -182,7 +182,7 @@ class WebcamTest {
         assertThat(webcam.drawn()).isEqualTo(drawn);
     }
 
-    /** One picture, while time passes. */
+    /** Requests one picture while time passes. */
     private byte[] picture() {
         var answer = http.sendAsync(request("/frame.jpg"), BodyHandlers.ofByteArray());
         await().until(() -> {
@@ -202,7 +202,7 @@ class WebcamTest {
             for (int tick = 1; tick <= 200; tick++) {
                 robot.tick();
                 slow.accept(robot.state());
-                // Frame 0 shows the first tick; then one each 100 ms.
+                // Frame 0 shows the first tick; then one every 100 ms.
                 int frames = 1 + tick * SimulatedRoomba.TICK_MILLIS / 100;
                 await().pollInterval(Duration.ofMillis(1)).until(() -> slow.drawn() == frames);
             }
@@ -211,7 +211,7 @@ class WebcamTest {
     }
 
     @Test
-    void aClientThatNeverReadsHoldsUpNobody() throws Exception {
+    void aClientThatNeverReadsDelaysNoOther() throws Exception {
         try (Socket silent =
                 new Socket(InetAddress.getLoopbackAddress(), webcam.url().getPort())) {
             silent.setReceiveBufferSize(1_024);
@@ -220,7 +220,7 @@ class WebcamTest {
             await().until(() -> webcam.clients() == 1);
             Viewer viewer = view();
             untilSeen(viewer, 200);
-            assertThat(webcam.clients()).as("it still hangs there").isEqualTo(2);
+            assertThat(webcam.clients()).as("it is still connected").isEqualTo(2);
             webcam.close();
             await().untilTrue(viewer.ended);
             assertThat(webcam.clients()).isZero();
@@ -233,7 +233,7 @@ class WebcamTest {
         untilSeen(viewer, 1);
         webcam.stall();
         ticks(3);
-        // The one that is being drawn and the one after it may still come.
+        // The one being drawn and the next one may still arrive.
         long drawn = webcam.drawn();
         Viewer late = view();
         ticks(500);
@@ -295,7 +295,7 @@ class WebcamTest {
     }
 
     @Test
-    void tooManyClientsAreToldSo() throws Exception {
+    void tooManyClientsAreRefusedWithAMessage() throws Exception {
         for (int i = 0; i < 16; i++) {
             view();
         }
@@ -304,7 +304,7 @@ class WebcamTest {
     }
 
     @Test
-    void whoNeverEndsARequestIsHungUpOnAndNotTooManyAreHeld() throws Exception {
+    void endlessRequestsAreClosedAndTheirNumberIsLimited() throws Exception {
         URI url = webcam.url();
         Deque<Socket> halfOpen = new ArrayDeque<>();
         try {

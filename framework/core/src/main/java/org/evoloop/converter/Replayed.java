@@ -12,7 +12,7 @@ import org.evoloop.evolution.Occurrence;
 import org.jspecify.annotations.Nullable;
 
 /** Receives replayed outputs of a core: they go into the history and the latency, and are not carried out again. */
-final class Retelling implements ConverterJournal.Past {
+final class Replayed implements ConverterJournal.Past {
     private final History history;
     private final LatencyWindow latency;
     private Supplier<Instant> time = () -> Instant.EPOCH;
@@ -20,7 +20,7 @@ final class Retelling implements ConverterJournal.Past {
 
     private Configuration at;
 
-    Retelling(History history, LatencyWindow latency, Configuration at) {
+    Replayed(History history, LatencyWindow latency, Configuration at) {
         this.history = history;
         this.latency = latency;
         this.at = at;
