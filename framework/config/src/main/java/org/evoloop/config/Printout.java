@@ -76,17 +76,26 @@ final class Printout {
         if (PLAIN.matcher(text).matches() && !WORD.matcher(text).matches()) {
             return text;
         }
-        if (text.chars().noneMatch(Character::isISOControl)) {
+        if (text.codePoints().noneMatch(Printout::isEscaped)) {
             return "'" + text.replace("'", "''") + "'";
         }
         StringBuilder quoted = new StringBuilder("\"");
-        text.chars()
+        text.codePoints()
                 .forEach(each -> quoted.append(
                         each == '"' || each == '\\'
                                 ? "\\" + (char) each
-                                : Character.isISOControl(each)
+                                : isEscaped(each)
                                         ? String.format(Locale.ROOT, "\\u%04X", each)
-                                        : String.valueOf((char) each)));
+                                        : Character.toString(each)));
         return quoted.append('"').toString();
+    }
+
+    /** Whether it would not be read as it is: a control character, a line separator, or half of a surrogate pair. */
+    private static boolean isEscaped(int codePoint) {
+        int type = Character.getType(codePoint);
+        return type == Character.CONTROL
+                || type == Character.LINE_SEPARATOR
+                || type == Character.PARAGRAPH_SEPARATOR
+                || type == Character.SURROGATE;
     }
 }

@@ -157,7 +157,7 @@ final class Conversion {
 
     /** An effect was run. */
     void ran(long number, String failure) {
-        if (progress.isOf(number)) {
+        if (progress.isOf(number) && progress.isRunning()) {
             progress.ran(failure);
             proceed();
         }

@@ -33,6 +33,11 @@ final class Frame {
         LONG.setRelease(file, at, eight);
     }
 
+    /** Writes the eight bytes at a multiple of eight as they are, atomically. */
+    static void touch(ByteBuffer file, int at) {
+        LONG.getAndBitwiseOr(file, at, 0L);
+    }
+
     /** The size of a payload in bytes, including the zeros after it. */
     static int padded(int length) {
         return (length + 7) & -8;

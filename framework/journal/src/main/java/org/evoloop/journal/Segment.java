@@ -18,6 +18,9 @@ import java.nio.file.StandardOpenOption;
 final class Segment implements AutoCloseable {
     private static final int CHUNK_BYTES = 1 << 16;
 
+    /** Pages may be larger; then the next one is touched too often, which is harmless. */
+    private static final int PAGE_BYTES = 1 << 12;
+
     private Path file;
     private final FileChannel channel;
     private final MappedByteBuffer map;
@@ -101,7 +104,22 @@ final class Segment implements AutoCloseable {
             }
             sure = until;
             Preamble.sure(map, until);
+            makeWritable(until);
         }
+    }
+
+    /**
+     * Touches the next records' place: the system has write-protected the pages that it put on the disk, and the first
+     * write to each would hold up an event. A record that is being written there stays as it is.
+     */
+    private void makeWritable(int from) {
+        for (int at = from; at < map.capacity() && at <= nextPage(from); at = nextPage(at)) {
+            Frame.touch(map, at);
+        }
+    }
+
+    private static int nextPage(int at) {
+        return (at | (PAGE_BYTES - 1)) + 1;
     }
 
     /** Releases the unused room; nothing may be appended any more. */

@@ -80,7 +80,7 @@ class JournalFuzzTest {
 
     @MethodSource("segments")
     @FuzzTest
-    void aSegmentOfAnyBytesIsGoneOnWithOrRefused(byte[] bytes) throws IOException {
+    void aSegmentOfAnyBytesIsContinuedOrRefused(byte[] bytes) throws IOException {
         if (bytes.length >= Preamble.BYTES) {
             recover(bytes);
         }
@@ -89,7 +89,7 @@ class JournalFuzzTest {
     /** Records with correct checksums, as a faulty or hostile program might write them. */
     @MethodSource("records")
     @FuzzTest
-    void recordsOfAnyBytesAreGoneOnWithOrRefused(byte[] bytes) throws IOException {
+    void recordsOfAnyBytesAreContinuedOrRefused(byte[] bytes) throws IOException {
         ByteArrayOutputStream segment = new ByteArrayOutputStream();
         segment.write(WHOLE, 0, FIRST_RECORD);
         int from = 0;
