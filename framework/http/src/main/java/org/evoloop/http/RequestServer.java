@@ -3,18 +3,21 @@ package org.evoloop.http;
 import com.sun.net.httpserver.HttpExchange;
 import com.sun.net.httpserver.HttpServer;
 import java.io.IOException;
+import java.io.InputStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ProtocolException;
 import java.net.UnknownHostException;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.Map;
-import java.util.concurrent.SynchronousQueue;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import org.evoloop.evolution.Values;
+import org.evoloop.time.Clock;
+import org.evoloop.time.RequestThreads;
+import org.evoloop.time.SystemClock;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -27,7 +30,7 @@ final class RequestServer implements AutoCloseable {
     static final int MOST_REQUESTS = 8;
 
     private static final Logger LOG = LoggerFactory.getLogger(HttpMonitor.class);
-    private static final int IDLE_SECONDS = 5;
+    private static final int REQUEST_SECONDS = 10;
     private static final int LONGEST_PATH = 100;
     private static final int NO_CONTENT = 204;
     private static final int BAD_REQUEST = 400;
@@ -40,12 +43,10 @@ final class RequestServer implements AutoCloseable {
     private final Map<String, Consumer<Values>> requests;
     private final HttpServer server;
     private final AtomicBoolean malformedReported = new AtomicBoolean();
-    private final ThreadPoolExecutor threads =
-            new ThreadPoolExecutor(0, MOST_REQUESTS, IDLE_SECONDS, TimeUnit.SECONDS, new SynchronousQueue<>(), task -> {
-                Thread thread = new Thread(task, "evoloop-http");
-                thread.setDaemon(true);
-                return thread;
-            });
+    private final AtomicBoolean failureReported = new AtomicBoolean();
+    private final Clock clock = new SystemClock();
+    private final RequestThreads threads =
+            new RequestThreads("evoloop-http", MOST_REQUESTS, Duration.ofSeconds(REQUEST_SECONDS), clock);
 
     private RequestServer(Door door, HttpServer server, Map<String, Consumer<Values>> requests) {
         this.door = door;
@@ -58,7 +59,8 @@ final class RequestServer implements AutoCloseable {
     static RequestServer open(Door door, int port, Map<String, Consumer<Values>> requests) throws IOException {
         // The JDK's server reads these once, before it serves for the first time; the live page sets the same values.
         unlessSet("sun.net.httpserver.nodelay", "true");
-        unlessSet("sun.net.httpserver.maxReqTime", "10");
+        // How long a request may take is not among them: the server would need a thread for that, all the time.
+        unlessSet("sun.net.httpserver.idleInterval", Integer.toString(REQUEST_SECONDS));
         unlessSet("sun.net.httpserver.clockTick", "1000");
         unlessSet("jdk.httpserver.maxConnections", "64");
         try {
@@ -87,8 +89,13 @@ final class RequestServer implements AutoCloseable {
         return server.getAddress().getPort();
     }
 
+    /**
+     * The JDK's server counts a connection until it has sent an answer on it, or this throws an exception. It would
+     * count forever one that an exchange closes because the rest of its request cannot be read.
+     */
     private void handle(HttpExchange exchange) throws IOException {
         try (exchange) {
+            InputStream request = exchange.getRequestBody();
             try {
                 letIn(exchange);
             } catch (IllegalArgumentException wrong) {
@@ -96,28 +103,33 @@ final class RequestServer implements AutoCloseable {
             } catch (IllegalStateException stopped) {
                 answer(exchange, REFUSED, String.valueOf(stopped.getMessage()));
             }
+            skipRest(request);
         } catch (ProtocolException malformed) {
-            String path = exchange.getRequestURI().getPath();
-            warnOnce(
-                    exchange.getRequestMethod() + " " + path.substring(0, Math.min(path.length(), LONGEST_PATH)),
-                    malformed);
+            reportOnce(malformedReported, "is malformed: " + malformed.getMessage(), exchange, null);
+            throw malformed;
         } catch (RuntimeException failure) {
-            LOG.warn(
-                    "the request {} could not be handled",
-                    exchange.getRequestURI().getPath(),
-                    failure);
+            reportOnce(failureReported, "could not be handled", exchange, failure);
+            throw failure;
+        }
+    }
+
+    private static void skipRest(InputStream request) throws IOException {
+        try {
+            request.close();
+        } catch (RuntimeException impossible) {
+            throw RequestValues.impossibleChunk(impossible);
         }
     }
 
     /** A client that keeps sending such requests must not fill the log. */
-    private void warnOnce(String request, ProtocolException malformed) {
-        if (malformedReported.compareAndSet(false, true)) {
-            LOG.warn(
-                    "a client's request {} is malformed: {}; further ones are not reported",
-                    request,
-                    malformed.getMessage());
+    private static void reportOnce(
+            AtomicBoolean reported, String what, HttpExchange exchange, @Nullable RuntimeException failure) {
+        String path = exchange.getRequestURI().getPath();
+        String request = exchange.getRequestMethod() + " " + path.substring(0, Math.min(path.length(), LONGEST_PATH));
+        if (reported.compareAndSet(false, true)) {
+            LOG.warn("a client's request {} {}; further ones are not reported", request, what, failure);
         } else {
-            LOG.debug("request {} is malformed", request, malformed);
+            LOG.debug("a client's request {} {}", request, what, failure);
         }
     }
 
@@ -153,6 +165,7 @@ final class RequestServer implements AutoCloseable {
     @Override
     public void close() {
         server.stop(0);
-        threads.shutdownNow();
+        threads.close();
+        clock.close();
     }
 }

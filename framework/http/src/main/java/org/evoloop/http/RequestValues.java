@@ -38,9 +38,13 @@ final class RequestValues {
         try {
             return exchange.getRequestBody().readNBytes(LONGEST_BODY + 1);
         } catch (RuntimeException impossible) {
-            // The JDK's server does not check the lengths of chunks before it uses them.
-            throw (IOException) new ProtocolException("the length of a chunk is impossible").initCause(impossible);
+            throw impossibleChunk(impossible);
         }
+    }
+
+    /** The JDK's server does not check the lengths of chunks before it uses them. */
+    static IOException impossibleChunk(RuntimeException impossible) {
+        return (IOException) new ProtocolException("the length of a chunk is impossible").initCause(impossible);
     }
 
     private static String decoded(String text) {
