@@ -11,13 +11,13 @@ import java.net.UnknownHostException;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.Map;
-import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.Properties;
+import java.util.TreeSet;
 import java.util.function.Consumer;
 import org.evoloop.evolution.Values;
 import org.evoloop.time.Clock;
 import org.evoloop.time.RequestThreads;
 import org.evoloop.time.SystemClock;
-import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -31,7 +31,6 @@ final class RequestServer implements AutoCloseable {
 
     private static final Logger LOG = LoggerFactory.getLogger(HttpMonitor.class);
     private static final int REQUEST_SECONDS = 10;
-    private static final int LONGEST_PATH = 100;
     private static final int NO_CONTENT = 204;
     private static final int BAD_REQUEST = 400;
     private static final int NO_TOKEN = 401;
@@ -42,8 +41,7 @@ final class RequestServer implements AutoCloseable {
     private final Door door;
     private final Map<String, Consumer<Values>> requests;
     private final HttpServer server;
-    private final AtomicBoolean malformedReported = new AtomicBoolean();
-    private final AtomicBoolean failureReported = new AtomicBoolean();
+    private final RequestFaults faults = new RequestFaults();
     private final Clock clock = new SystemClock();
     private final RequestThreads threads =
             new RequestThreads("evoloop-http", MOST_REQUESTS, Duration.ofSeconds(REQUEST_SECONDS), clock);
@@ -58,11 +56,12 @@ final class RequestServer implements AutoCloseable {
 
     static RequestServer open(Door door, int port, Map<String, Consumer<Values>> requests) throws IOException {
         // The JDK's server reads these once, before it serves for the first time; the live page sets the same values.
-        unlessSet("sun.net.httpserver.nodelay", "true");
+        Properties settings = System.getProperties();
+        settings.putIfAbsent("sun.net.httpserver.nodelay", "true");
         // How long a request may take is not among them: the server would need a thread for that, all the time.
-        unlessSet("sun.net.httpserver.idleInterval", Integer.toString(REQUEST_SECONDS));
-        unlessSet("sun.net.httpserver.clockTick", "1000");
-        unlessSet("jdk.httpserver.maxConnections", "64");
+        settings.putIfAbsent("sun.net.httpserver.idleInterval", Integer.toString(REQUEST_SECONDS));
+        settings.putIfAbsent("sun.net.httpserver.clockTick", "1000");
+        settings.putIfAbsent("jdk.httpserver.maxConnections", "64");
         try {
             InetSocketAddress address = new InetSocketAddress(InetAddress.getByName(door.host()), port);
             RequestServer opened = new RequestServer(door, HttpServer.create(address, 0), requests);
@@ -76,12 +75,6 @@ final class RequestServer implements AutoCloseable {
                     door.host() + ":" + port + " cannot be listened on (" + taken.getMessage()
                             + "); choose another port, or 0 for any that is free",
                     taken);
-        }
-    }
-
-    private static void unlessSet(String property, String value) {
-        if (System.getProperty(property) == null) {
-            System.setProperty(property, value);
         }
     }
 
@@ -105,10 +98,10 @@ final class RequestServer implements AutoCloseable {
             }
             skipRest(request);
         } catch (ProtocolException malformed) {
-            reportOnce(malformedReported, "is malformed: " + malformed.getMessage(), exchange, null);
+            faults.malformed(exchange, malformed);
             throw malformed;
         } catch (RuntimeException failure) {
-            reportOnce(failureReported, "could not be handled", exchange, failure);
+            faults.failed(exchange, failure);
             throw failure;
         }
     }
@@ -121,18 +114,6 @@ final class RequestServer implements AutoCloseable {
         }
     }
 
-    /** A client that keeps sending such requests must not fill the log. */
-    private static void reportOnce(
-            AtomicBoolean reported, String what, HttpExchange exchange, @Nullable RuntimeException failure) {
-        String path = exchange.getRequestURI().getPath();
-        String request = exchange.getRequestMethod() + " " + path.substring(0, Math.min(path.length(), LONGEST_PATH));
-        if (reported.compareAndSet(false, true)) {
-            LOG.warn("a client's request {} {}; further ones are not reported", request, what, failure);
-        } else {
-            LOG.debug("a client's request {} {}", request, what, failure);
-        }
-    }
-
     private void letIn(HttpExchange exchange) throws IOException {
         String path = exchange.getRequestURI().getPath();
         Consumer<Values> handler = requests.get(exchange.getRequestMethod() + " " + path);
@@ -142,12 +123,7 @@ final class RequestServer implements AutoCloseable {
             exchange.getResponseHeaders().set("WWW-Authenticate", "Bearer");
             answer(exchange, NO_TOKEN, "a token is needed, as Authorization: Bearer TOKEN");
         } else if (handler == null) {
-            answer(
-                    exchange,
-                    NOT_FOUND,
-                    "known are: "
-                            + String.join(
-                                    ", ", requests.keySet().stream().sorted().toList()));
+            answer(exchange, NOT_FOUND, "known are: " + String.join(", ", new TreeSet<>(requests.keySet())));
         } else {
             handler.accept(RequestValues.of(exchange));
             exchange.sendResponseHeaders(NO_CONTENT, -1);

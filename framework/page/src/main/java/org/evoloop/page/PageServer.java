@@ -11,6 +11,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
 import java.time.Duration;
+import java.util.Properties;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Semaphore;
@@ -51,10 +52,11 @@ final class PageServer implements AutoCloseable {
     PageServer(PageOptions options, Clock clock) throws IOException {
         // The JDK's server reads this once, before it first serves. How long a request may take is not among it, since
         // the server would need another thread for that, all the time.
-        unlessSet("sun.net.httpserver.nodelay", "true");
-        unlessSet("sun.net.httpserver.idleInterval", Integer.toString(REQUEST_SECONDS));
-        unlessSet("sun.net.httpserver.clockTick", "1000");
-        unlessSet("jdk.httpserver.maxConnections", "64");
+        Properties settings = System.getProperties();
+        settings.putIfAbsent("sun.net.httpserver.nodelay", "true");
+        settings.putIfAbsent("sun.net.httpserver.idleInterval", Integer.toString(REQUEST_SECONDS));
+        settings.putIfAbsent("sun.net.httpserver.clockTick", "1000");
+        settings.putIfAbsent("jdk.httpserver.maxConnections", "64");
         threads = new RequestThreads(
                 "evoloop-page", MOST_VIEWERS + MOST_REQUESTS, Duration.ofSeconds(REQUEST_SECONDS), clock);
         try {
@@ -72,12 +74,6 @@ final class PageServer implements AutoCloseable {
         }
         this.gate = new Gate(options.host(), port());
         server.setExecutor(threads);
-    }
-
-    private static void unlessSet(String property, String value) {
-        if (System.getProperty(property) == null) {
-            System.setProperty(property, value);
-        }
     }
 
     int port() {

@@ -10,6 +10,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.Properties;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.evoloop.roomba.simulator.webcam.Newest.Numbered;
 import org.evoloop.time.Clock;
@@ -61,12 +62,14 @@ final class MjpegServer implements AutoCloseable {
      */
     MjpegServer(Newest<byte[]> pictures, int port) throws IOException {
         this.pictures = pictures;
+        // The JDK's server reads these once, before it first serves.
+        Properties settings = System.getProperties();
         // Otherwise the end of a picture is delayed up to 40 ms until the client has acknowledged the data before it.
-        unlessSet("sun.net.httpserver.nodelay", "true");
-        unlessSet("sun.net.httpserver.idleInterval", Integer.toString(REQUEST_SECONDS));
+        settings.putIfAbsent("sun.net.httpserver.nodelay", "true");
+        settings.putIfAbsent("sun.net.httpserver.idleInterval", Integer.toString(REQUEST_SECONDS));
         // How often the server checks for clients that have not started a request, in ms.
-        unlessSet("sun.net.httpserver.clockTick", "1000");
-        unlessSet("jdk.httpserver.maxConnections", Integer.toString(MOST_CONNECTIONS));
+        settings.putIfAbsent("sun.net.httpserver.clockTick", "1000");
+        settings.putIfAbsent("jdk.httpserver.maxConnections", Integer.toString(MOST_CONNECTIONS));
         try {
             server = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), port), 0);
         } catch (BindException taken) {
@@ -80,13 +83,6 @@ final class MjpegServer implements AutoCloseable {
         server.createContext(STREAM, exchange -> answer(exchange, STREAM, this::sendStream));
         server.createContext(FRAME, exchange -> answer(exchange, FRAME, this::sendPicture));
         server.start();
-    }
-
-    /** The JDK's server reads its settings once, before the first use. */
-    private static void unlessSet(String property, String value) {
-        if (System.getProperty(property) == null) {
-            System.setProperty(property, value);
-        }
     }
 
     int port() {
