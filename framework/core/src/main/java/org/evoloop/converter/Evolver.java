@@ -33,15 +33,21 @@ final class Evolver {
     /** Guarded by {@code changes}, like everything that changes here. */
     private volatile @Nullable WayBack wayBack;
 
-    private volatile @Nullable Trial trial;
-
     private volatile @Nullable Shadow shadow;
 
     /** The way back from an evolution of the previous process, as the models with which the converter was built. */
     private volatile @Nullable WayBack resumed;
 
-    /** The way back to the previous models. */
-    private record WayBack(StateKnowledge from, StateKnowledge to, Mapping mapping) {
+    /**
+     * The way back to the previous models.
+     *
+     * @param trial the trial after which it will not be needed; null if there is none
+     */
+    private record WayBack(
+            StateKnowledge from,
+            StateKnowledge to,
+            Mapping mapping,
+            @Nullable Trial trial) {
         /** For messages. */
         String tookOver() {
             return "'" + from.models().evolved().name() + "', which took over from '"
@@ -222,30 +228,42 @@ final class Evolver {
                 hindrance = String.valueOf(notNow.getMessage());
                 return;
             }
-            Mapping reversed = evolution.mapping().reversed();
-            boolean leadsBack = !back && evolution.needsWayBack();
-            endTrial();
+            Trial ending = trial();
+            if (ending != null) {
+                ending.end();
+            }
             forgetShadow(next);
-            wayBack = leadsBack ? new WayBack(next, ready.present(), reversed) : null;
+            wayBack = null;
             if (back) {
                 belongings.giveBack(ready.present());
-            } else if (leadsBack && evolution.probation().isAny()) {
-                trial = new Trial(config, shell, evolution.probation(), why -> rollBack(shell, why));
+            } else if (evolution.needsWayBack()) {
+                lead(ready.present());
+            }
+        }
+
+        /** Opens the way back to {@code previous}, and begins the trial if there is to be one. */
+        private void lead(StateKnowledge previous) {
+            Trial trial = evolution.probation().isAny()
+                    ? new Trial(config, shell, evolution.probation(), why -> rollBack(shell, why))
+                    : null;
+            wayBack =
+                    new WayBack(evolution.next(), previous, evolution.mapping().reversed(), trial);
+            if (trial != null) {
+                // Its first fault needs the way back.
+                trial.begin();
             }
         }
     }
 
-    private void endTrial() {
-        Trial ending = trial;
-        trial = null;
-        if (ending != null) {
-            ending.end();
-        }
+    /** The last trial, which may be over; null if there was none. */
+    private @Nullable Trial trial() {
+        WayBack back = wayBack;
+        return back == null ? null : back.trial();
     }
 
     /** A step has been taken in a converter without threads. */
     void stepped() {
-        Trial running = trial;
+        Trial running = trial();
         if (running != null) {
             running.stepped();
         }
@@ -253,15 +271,15 @@ final class Evolver {
 
     /** By its journal, the converter continues with other models than those with which it was built. */
     void resumed(StateKnowledge built, StateKnowledge present) {
-        resumed = built == present ? null : new WayBack(present, built, Mapping.byName());
+        resumed = built == present ? null : new WayBack(present, built, Mapping.byName(), null);
     }
 
     /** Describes which models took over from which; empty if that is not known any more. */
     String describe(StateKnowledge present) {
         WayBack back = wayBack;
-        Trial running = trial;
         WayBack before = resumed;
         if (back != null) {
+            Trial running = back.trial();
             return back.tookOver()
                     + (running == null || running.isOver() ? "" : ", on probation " + running.describe());
         }

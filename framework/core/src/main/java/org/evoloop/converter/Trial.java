@@ -25,12 +25,12 @@ final class Trial implements ConverterListener {
     private final long first;
 
     private final long begunNanos;
-    private final Clock.@Nullable Timer end;
+    private Clock.@Nullable Timer end;
     private long events;
     private volatile boolean over;
     private @Nullable String fault;
 
-    /** Begins the trial. */
+    /** A trial of the models that have just taken over. */
     Trial(LoopConfig config, ConverterShell shell, Probation probation, Consumer<String> rollBack) {
         this.config = config;
         this.shell = shell;
@@ -39,8 +39,14 @@ final class Trial implements ConverterListener {
         this.rollBack = rollBack;
         this.first = shell.driver.recorded();
         this.begunNanos = config.clock().nanoTime();
+    }
+
+    /** Begins to watch. */
+    synchronized void begin() {
         shell.books.listeners().add(this);
-        this.end = probation.time().isZero() ? null : config.clock().schedule(probation.time(), this::end);
+        if (!probation.time().isZero()) {
+            end = config.clock().schedule(probation.time(), this::end);
+        }
     }
 
     /** Ends the trial; the models stay. Idempotent. */
