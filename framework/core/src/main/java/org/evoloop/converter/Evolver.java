@@ -41,7 +41,7 @@ final class Evolver {
     /**
      * The way back to the previous models.
      *
-     * @param trial of the present ones, if they are on probation
+     * @param trial the trial after which it will not be needed; null if there is none
      */
     private record WayBack(
             StateKnowledge from,
@@ -233,29 +233,31 @@ final class Evolver {
                 ending.end();
             }
             forgetShadow(next);
+            wayBack = null;
             if (back) {
-                wayBack = null;
                 belongings.giveBack(ready.present());
-            } else {
-                leadBack(next, ready.present());
+            } else if (evolution.needsWayBack()) {
+                lead(ready.present());
             }
             // Only now: a listener may ask for the status, which tells of the way back and the probation.
             shell.books.listeners().evolved(result);
         }
 
-        private void leadBack(StateKnowledge next, StateKnowledge before) {
-            Probation probation = evolution.probation();
-            Trial begun = evolution.needsWayBack() && probation.isAny()
-                    ? new Trial(config, shell, probation, why -> rollBack(shell, why))
+        /** Opens the way back to {@code previous}, and begins the trial if there is to be one. */
+        private void lead(StateKnowledge previous) {
+            Trial trial = evolution.probation().isAny()
+                    ? new Trial(config, shell, evolution.probation(), why -> rollBack(shell, why))
                     : null;
-            Mapping reversed = evolution.mapping().reversed();
-            wayBack = evolution.needsWayBack() ? new WayBack(next, before, reversed, begun) : null;
-            if (begun != null) {
-                begun.begin();
+            wayBack =
+                    new WayBack(evolution.next(), previous, evolution.mapping().reversed(), trial);
+            if (trial != null) {
+                // Its first fault needs the way back.
+                trial.begin();
             }
         }
     }
 
+    /** The last trial, which may be over; null if there was none. */
     private @Nullable Trial trial() {
         WayBack back = wayBack;
         return back == null ? null : back.trial();

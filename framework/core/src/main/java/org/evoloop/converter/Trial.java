@@ -30,7 +30,7 @@ final class Trial implements ConverterListener {
     private volatile boolean over;
     private @Nullable String fault;
 
-    /** A trial that does not watch yet, but counts its time. */
+    /** A trial of the models that have just taken over. */
     Trial(LoopConfig config, ConverterShell shell, Probation probation, Consumer<String> rollBack) {
         this.config = config;
         this.shell = shell;
@@ -44,7 +44,9 @@ final class Trial implements ConverterListener {
     /** Begins to watch. */
     synchronized void begin() {
         shell.books.listeners().add(this);
-        end = probation.time().isZero() ? null : config.clock().schedule(probation.time(), this::end);
+        if (!probation.time().isZero()) {
+            end = config.clock().schedule(probation.time(), this::end);
+        }
     }
 
     /** Ends the trial; the models stay. Idempotent. */

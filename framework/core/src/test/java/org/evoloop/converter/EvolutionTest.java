@@ -201,6 +201,19 @@ class EvolutionTest {
     }
 
     @Test
+    void whoeverLooksWhileModelsTakeOverNeverSeesThemWithoutTheirProbation() {
+        List<String> seen = new ArrayList<>();
+        Runnable look = () -> seen.add(player.converter.status().evolution());
+        player.converter.evolve(Evolution.to(Player.dozing(NewFunction.none()))
+                .withProbation(Probation.of(Duration.ofMinutes(1)).watchedBy((table, from) -> {
+                    look.run();
+                    return entry -> "";
+                })));
+        look.run();
+        assertThat(seen).containsExactly("", "'next', which took over from 'new', on probation for 60 s");
+    }
+
+    @Test
     void aProbationEnds() {
         player.converter.evolve(
                 Evolution.to(Player.dozing(NewFunction.none())).withProbation(Probation.of(Duration.ofMinutes(1))));
