@@ -23,6 +23,9 @@ public final class RequestThreads implements Executor, AutoCloseable {
     private static final int LOOK_MILLIS = 500;
     private static final int LOOKS_IN_VAIN = 10;
 
+    /** How long a request waits for a thread that has given its answer but is not free yet. */
+    private static final int HANDOVER_MILLIS = 20;
+
     private final String name;
     private final Duration limit;
     private final Clock clock;
@@ -44,7 +47,13 @@ public final class RequestThreads implements Executor, AutoCloseable {
         this.limit = limit;
         this.clock = clock;
         this.threads = new ThreadPoolExecutor(
-                0, most, IDLE_SECONDS, TimeUnit.SECONDS, new SynchronousQueue<>(), task -> daemon(name, task));
+                0,
+                most,
+                IDLE_SECONDS,
+                TimeUnit.SECONDS,
+                new SynchronousQueue<>(),
+                task -> daemon(name, task),
+                RequestThreads::handOver);
     }
 
     private static Thread daemon(String name, Runnable task) {
@@ -53,8 +62,20 @@ public final class RequestThreads implements Executor, AutoCloseable {
         return thread;
     }
 
+    private static void handOver(Runnable request, ThreadPoolExecutor threads) {
+        boolean taken = false;
+        try {
+            taken = !threads.isShutdown() && threads.getQueue().offer(request, HANDOVER_MILLIS, TimeUnit.MILLISECONDS);
+        } catch (InterruptedException end) {
+            Thread.currentThread().interrupt();
+        }
+        if (!taken) {
+            throw new RejectedExecutionException("no thread is free");
+        }
+    }
+
     /**
-     * Runs a request.
+     * Runs a request. If no thread is free, it waits for {@value #HANDOVER_MILLIS} ms.
      *
      * @throws RejectedExecutionException if there is no thread for it, or this is closed
      */

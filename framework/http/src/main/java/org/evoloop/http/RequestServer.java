@@ -96,21 +96,13 @@ final class RequestServer implements AutoCloseable {
             } catch (IllegalStateException stopped) {
                 answer(exchange, REFUSED, String.valueOf(stopped.getMessage()));
             }
-            skipRest(request);
+            RequestValues.skipRest(request);
         } catch (ProtocolException malformed) {
             faults.malformed(exchange, malformed);
             throw malformed;
         } catch (RuntimeException failure) {
             faults.failed(exchange, failure);
             throw failure;
-        }
-    }
-
-    private static void skipRest(InputStream request) throws IOException {
-        try {
-            request.close();
-        } catch (RuntimeException impossible) {
-            throw RequestValues.impossibleChunk(impossible);
         }
     }
 
@@ -133,8 +125,12 @@ final class RequestServer implements AutoCloseable {
     private static void answer(HttpExchange exchange, int status, String text) throws IOException {
         byte[] body = (text + "\n").getBytes(StandardCharsets.UTF_8);
         exchange.getResponseHeaders().set("Content-Type", "text/plain; charset=utf-8");
-        exchange.sendResponseHeaders(status, body.length);
-        exchange.getResponseBody().write(body);
+        // The JDK's server would log a warning about a body to a HEAD request.
+        boolean bodiless = exchange.getRequestMethod().equals("HEAD");
+        exchange.sendResponseHeaders(status, bodiless ? -1 : body.length);
+        if (!bodiless) {
+            exchange.getResponseBody().write(body);
+        }
     }
 
     /** Idempotent. */
