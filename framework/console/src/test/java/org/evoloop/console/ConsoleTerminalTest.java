@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 
-/** The console in a process of its own, on a pseudo-terminal of the operating system. */
+/** The console in a process of its own, on a pseudo-terminal of the operating system that does not know its size. */
 @EnabledOnOs(OS.LINUX)
 @Timeout(60)
 class ConsoleTerminalTest {
