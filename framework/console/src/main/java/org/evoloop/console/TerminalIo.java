@@ -91,7 +91,7 @@ final class TerminalIo implements ConsoleIo {
                 terminal.close();
                 return null;
             }
-            if (terminal.getWidth() <= 0 || terminal.getHeight() <= 0) {
+            if (terminal.getColumns() <= 0 || terminal.getRows() <= 0) {
                 // A serial console, for example, does not know its size. JLine would not even show the prompt.
                 terminal.setSize(Size.of(Wrapping.USUAL_WIDTH, USUAL_HEIGHT));
             }

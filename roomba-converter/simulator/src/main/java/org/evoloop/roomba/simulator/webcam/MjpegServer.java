@@ -146,18 +146,19 @@ final class MjpegServer implements AutoCloseable {
             exchange.getResponseHeaders().set("Content-Type", "multipart/x-mixed-replace; boundary=" + BOUNDARY);
             exchange.getResponseHeaders().set("Cache-Control", "no-store");
             exchange.sendResponseHeaders(OK, 0);
-            OutputStream body = exchange.getResponseBody();
-            body.flush();
-            @Nullable Numbered<byte[]> next = after(pictures.number());
-            while (next != null) {
-                String head = "--" + BOUNDARY + "\r\nContent-Type: image/jpeg\r\nContent-Length: " + next.thing().length
-                        + "\r\n\r\n";
-                body.write(head.getBytes(StandardCharsets.US_ASCII));
-                body.write(next.thing());
-                body.write('\r');
-                body.write('\n');
+            try (OutputStream body = exchange.getResponseBody()) {
                 body.flush();
-                next = after(next.number());
+                @Nullable Numbered<byte[]> next = after(pictures.number());
+                while (next != null) {
+                    String head = "--" + BOUNDARY + "\r\nContent-Type: image/jpeg\r\nContent-Length: " + next.thing().length
+                            + "\r\n\r\n";
+                    body.write(head.getBytes(StandardCharsets.US_ASCII));
+                    body.write(next.thing());
+                    body.write('\r');
+                    body.write('\n');
+                    body.flush();
+                    next = after(next.number());
+                }
             }
         });
     }
