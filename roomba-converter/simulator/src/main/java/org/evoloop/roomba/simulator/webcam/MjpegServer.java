@@ -150,8 +150,8 @@ final class MjpegServer implements AutoCloseable {
                 body.flush();
                 @Nullable Numbered<byte[]> next = after(pictures.number());
                 while (next != null) {
-                    String head = "--" + BOUNDARY + "\r\nContent-Type: image/jpeg\r\nContent-Length: " + next.thing().length
-                            + "\r\n\r\n";
+                    String head = "--" + BOUNDARY + "\r\nContent-Type: image/jpeg\r\nContent-Length: "
+                            + next.thing().length + "\r\n\r\n";
                     body.write(head.getBytes(StandardCharsets.US_ASCII));
                     body.write(next.thing());
                     body.write('\r');
