@@ -81,7 +81,7 @@ only a second count reveals it. Counted the same way, the baseline would show {f
 statement on performance stands. Its statement on robustness does not: the mechanism as listed has a second place where
 events are lost and none where they are stored. In the long run it loses {100 * unbuffered_lost_per_s(0.25):.2f} events in
 100 s at 0.25 s, compared with {100 / 6:.2f} for the device alone, and more than the device alone at any conversion time: with
-a arrivals, s actions and c conversions per second it performs c(c+a+s) / ((c+a)(c+s)) of the device's actions, which is below 1.
+rates a of arrivals, s of actions and c of conversions it performs c(c+a+s) / ((c+a)(c+s)) of the device's actions, which is below 1.
 
 Break-even, the conversion time at which as many events are lost until 100 s as without a converter: {even["listing", None]:.3f} s
 as listed (the paper: "faster than the action time", so 1 s), {even["exact", None]:.4f} s counted exactly. The latter is not zero
@@ -183,7 +183,7 @@ hold-off time after each. K={CAPACITY}, conversion 0.25 s; the hold-off is nearl
 Short hold-offs lose events in the device, long ones in the queue; the best of these is {best[0]:g} s, and it still loses
 {100 * best[4]:.1f} events per 100 s, compared with {told:.2f} for a device that reports its readiness. Belief and device also diverge.
 So query the device if possible; otherwise set a hold-off well above the mean action time. The Roomba converter waits 0.2 s: for a
-device with the paper's actions of 1 s that would lose {100 * shown[0][4]:.1f} events in 100 s, hardly fewer than without a converter. The
+device with the paper's actions of 1 s that would lose {100 * shown[0][4]:.1f} events in 100 s, nearly as many as without a converter. The
 0.2 s cover the time in which a Roomba accepts a command, not the time in which it carries it out. Exponential action times, which have
 no maximum, are the hard case: if no action takes longer than the hold-off, nothing is lost in the device."""
 
@@ -202,7 +202,7 @@ at which the mechanism loses fewer events:
 
 {table(("arrivals per s", "0.5", "0.8", "1", "1.5", "2"), rows)}
 
-As a rule, for a long queue in the long run, with a arrivals per s, conversion time c and actions of 1 s: serial pays off while
+As a rule, for a long queue in the long run, with arrival rate a per s, conversion time c and actions of 1 s: serial pays off while
 c < 1/a, that is, while a conversion takes less time than passes between two events; pipelined while c²/(1+c) < 1/a. (In 100 s
 the limit is slightly higher, because events that are still in the queue are not lost.) If events arrive faster than the device
 can act, a queue delays the losses and keeps the device busy, but it is full most of the time: each event then waits
@@ -219,7 +219,7 @@ def code() -> str:
         ("`Converter`, `[arrived]`", "`PushMonitor` and every other `Monitor`, `MapeLoop.offer`", "a monitor reports an event; `event_arrive` is the controller's"),
         ("`waiting`, `K`", "`Sequencer`'s queue and the event in the loop, `LoopConfig.queueCapacity`", "K = queueCapacity + 1: the event in the loop has left the queue. Default: 8 + 1"),
         ("`[conv_lost]`, reward `lost`", "`Sequencer.offer`, `QueueStatus.dropped`", "a full queue loses arriving events, and counts them"),
-        ("`[hold]`, `[control]` at `conv_internal_process`", "`DecisionAnalyze`, `DecisionPlan`", "one event at a time is converted, also while the device acts"),
+        ("`[hold]`, `[control]` at `conv_internal_process`", "`EventAnalyze`, `EventPlan`", "one event at a time is converted, also while the device acts"),
         ("`converted`, `[next]`", "`EventExecute.awaitReady`", "back-pressure: a converted event waits for the device, and so does the queue"),
         ("`hold` in `holdoff.sm`", "an `awaitReady` that waits for a fixed time, like the Roomba's", "readiness is inferred"),
         ("`steps`, `sent` in `path.sm`", "`Conversion`, `PathPlanner`", "the steps of one decision, one after the other"),
