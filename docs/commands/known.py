@@ -1,4 +1,4 @@
-"""All commands in the documentation: how each is run, or why it is not."""
+"""All commands in the documentation: how each is run, or why not."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ CAMERA = "{camera}"
 class Known:
     """A documented command.
 
-    :param documented: as it is written
-    :param run: what is typed, if that differs: names for placeholders, or less of the same; empty if it is not run
-    :param why_not: why it is not run
+    :param documented: the documented text
+    :param run: the command to run, if it differs: with placeholders replaced, or a smaller workload; empty if it is not run
+    :param why_not: the reason why it is not run
     :param slow: takes more than half a minute
-    :param needs_study: needs what ./evoloop study fetches; not run where that was never set up
-    :param not_now: what it says where it cannot do its work for once; then it is skipped
-    :param input: for standard input
-    :param shows: what stands in its standard output
+    :param needs_study: needs the downloads of ./evoloop study; skipped if that was never set up
+    :param not_now: a message with which it reports that it cannot run at the moment; then it is skipped
+    :param input: its standard input
+    :param shows: a part of its standard output
     """
 
     documented: str
@@ -41,12 +41,12 @@ def typed(documented: str, **details: object) -> Known:
     return Known(documented, run=documented, **details)  # type: ignore[arg-type]
 
 
-THIS = "is what runs this test"
-MUTANTS = "takes some minutes of both processors: over a thousand mutants of the models, a test run of its own"
+THIS = "runs this test"
+MUTANTS = "takes several minutes of both processors: over a thousand mutants of the models, a separate test run"
 NO_BOARD = "hardware: takes a camera's pictures of a printed chessboard (CalibrationTest draws them)"
 CLUSTER = "needs a Kafka cluster; FleetCommandTest of fleet starts a broker and does the same there"
 EDGE = "needs a Kafka cluster and an MQTT broker; RoombaEdgeTest of fleet starts both, and does the same with a simulated robot"
-ELSEWHERE = "is for the project that scaffold writes; test_retrofit.py makes it and runs this there"
+ELSEWHERE = "is for the project that scaffold writes; test_retrofit.py creates it and runs this there"
 
 CONSOLE = """start
 stop
@@ -74,12 +74,12 @@ KNOWN = [
     Known("./evoloop test", why_not=THIS),
     Known("./evoloop test --slow", why_not=THIS),
     Known("./evoloop test --ci", why_not=THIS),
-    Known("./evoloop test --oracles", why_not="network: fetches checkers from PyPI; a test run of its own"),
-    Known("./evoloop test --interop", why_not="network: fetches clients from PyPI; a test run of its own"),
-    Known("./evoloop test --package", why_not="root and network: Debians of its own; a test run of its own"),
+    Known("./evoloop test --oracles", why_not="network: downloads checkers from PyPI; a separate test run"),
+    Known("./evoloop test --interop", why_not="network: downloads clients from PyPI; a separate test run"),
+    Known("./evoloop test --package", why_not="root and network: separate Debians; a separate test run"),
     typed("./evoloop package", slow=True, shows="target/evoloop_"),
-    Known("./evoloop test --home-assistant", why_not="root and network: a Debian of its own; a test run of its own"),
-    Known("./evoloop test --stress", why_not="takes some minutes of both processors; a test run of its own"),
+    Known("./evoloop test --home-assistant", why_not="root and network: a separate Debian; a separate test run"),
+    Known("./evoloop test --stress", why_not="takes several minutes of both processors; a separate test run"),
     typed("./evoloop lightbulb", input="start\nswitch\nstatus\nexit\n", shows="switch"),
     typed("./evoloop lightbulb --help", shows="--models"),
     Known(
@@ -118,7 +118,7 @@ KNOWN = [
         "./evoloop lightbulb --start --switch-pin 17 --lamp-pins 23,24 < /dev/null",
         why_not="hardware: a Raspberry Pi with a button and two LEDs; WiringTest has them on Pi4J's mocked pins",
     ),
-    Known("./evoloop lightbulb --start --name lamp < /dev/null &", why_not="goes on until somebody ends it; ServiceProcessTest runs one"),
+    Known("./evoloop lightbulb --start --name lamp < /dev/null &", why_not="runs until it is ended; ServiceProcessTest runs one"),
     typed("./evoloop ctl", shows=""),
     Known("./evoloop ctl lamp status --json", run="./evoloop ctl --help", shows="status --json"),
     Known("./evoloop ctl lamp switch", run="./evoloop ctl --help", shows="status --json"),
@@ -146,7 +146,7 @@ KNOWN = [
     typed("./evoloop install"),
     typed("./evoloop docs", slow=True, shows="target/site/index.html"),
     typed("./evoloop api", shows="no release yet"),
-    Known("./evoloop reproducible", why_not="clones the repository, and the copy in which this test runs is none"),
+    Known("./evoloop reproducible", why_not="clones the repository, but the copy in which this test runs is not one"),
     Known(
         "./mvnw -Prelease -Dgpg.skip -Dmaven.test.skip=true install",
         why_not="is ./evoloop install with more jars, which ./evoloop reproducible builds",
@@ -181,7 +181,7 @@ KNOWN = [
         "./evoloop roomba edge --port /dev/ttyUSB0 --device robot --mqtt mqtt://BROKER --journal DIR",
         why_not=EDGE,
     ),
-    Known("./evoloop bench --fleet", why_not="takes ten minutes and more; --quick does the same with fewer devices"),
+    Known("./evoloop bench --fleet", why_not="takes more than ten minutes; --quick does the same with fewer devices"),
     typed("./evoloop bench --fleet --quick", slow=True, shows="events/CPU s"),
     typed("java -version"),
     # Models.
@@ -248,7 +248,7 @@ KNOWN = [
     Known("./evoloop bench --json FILE", run="./evoloop bench --quick --only loading --json rows.json", slow=True),
     Known(
         "./evoloop bench --json benchmarks/results/2026-11-22.json",
-        why_not="is ./evoloop bench, with the name of its results",
+        why_not="is ./evoloop bench with a file for its results",
     ),
     Known(
         "./evoloop bench plot benchmarks/results/2026-11-22.json docs/benchmarks.svg",
@@ -312,7 +312,7 @@ KNOWN = [
     ),
     Known(
         "./mvnw -pl MODULE -am test -Dtest=NAME -Dsurefire.failIfNoSpecifiedTests=false",
-        why_not="its name stands for others, which the tests run",
+        why_not="MODULE and NAME are placeholders for tests that run anyway",
     ),
     typed("./mvnw -pl framework/check -am -Dslow -Dtest=CheckGrowthTest -Dsurefire.failIfNoSpecifiedTests=false test", slow=True),
     typed("./mvnw -pl framework/page -am -Dslow -Dtest=LitTimeTest -Dsurefire.failIfNoSpecifiedTests=false test", slow=True),

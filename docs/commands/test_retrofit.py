@@ -28,7 +28,7 @@ def blocks(language: str) -> list[str]:
 
 
 def documented(beginning: str) -> list[str]:
-    """The words of the guide's command that begins like this."""
+    """The words of the guide's command that begins with `beginning`."""
     (line,) = [line.strip() for line in GUIDE.splitlines() if line == f"    {beginning}"]
     return line.split()
 

@@ -1,48 +1,48 @@
 /*
  * The converter's core, as org.evoloop.core.Core has it: each of its inputs is an inline of the same name, and each is a
- * deterministic function of the state. Only differences that count are kept: whether a visit is the present one, and whether a
- * step has been sent since, instead of their numbers.
+ * deterministic function of the state. Visits and steps have no numbers here: the state only records whether a visit is the
+ * present one, and whether a step has been sent since.
  *
- * Left out, since the paper's models have none of it: effects, guards, deferred events, composite states. A state has one timer
- * at most. The 1,024 places for facts beyond the queue's capacity are so many that the world (world.pml) never fills them.
+ * Not modelled, since the paper's models have none: effects, guards, deferred events, composite states. A state has one timer
+ * at most. The world (world.pml) never fills the 1,024 places for facts beyond the queue's capacity.
  */
 
 #define NONE 0
 
-/* What an occurrence is. */
+/* The kinds of occurrences. */
 #define HEARD 1
 #define FOUND 2
 #define ASKED 3
 #define EVOLVED 4
 #define IN_DOUBT 5
 
-/* Who raised it. */
+/* The source of an occurrence. */
 #define BUTTON 1
 #define DEVICE 2
 #define TIMER 3
 #define FUNCTION 4
 
-/* To which visit of a state it belongs. */
+/* The visit of a state to which it belongs. */
 #define ANY 0
 #define PRESENT 1
 #define FORMER 2
 
-/* How far the occurrence in progress is. */
+/* The stage of the occurrence in progress. */
 #define READY 0
 #define SENDING 1
 #define INTERRUPTED 2
 #define RESUMED 3
 
-/* What a doubt is: nobody knows, or the device has told since, but the step may still be told to have had its effect. */
+/* A doubt: the state is unknown, or the device has reported it since, but the step's effect may still be reported. */
 #define UNSETTLED 1
 #define SETTLED 2
 
-/* How many steps have been sent since a doubt arose. */
+/* The number of steps sent since a doubt arose. */
 #define SAME 0
 #define LATER 1
 #define NEVER_KNOWN 2
 
-/* What must hold. Each has a number, which a trail shows. */
+/* The properties. A trail shows their numbers. */
 
 #define RECORD 1
 #define ONCE 2
@@ -57,19 +57,19 @@ typedef Pending {
   byte what; /* an event, or a state in which the device was found */
   byte source;
   byte visit;
-  byte from; /* where the device was before this fact, which the record has followed */
-  byte own; /* where the device's own step led */
+  byte from; /* the device's state before this fact, which the record has followed */
+  byte own; /* the target of the device's own step */
   byte attempts;
   bit acted; /* the device has acted on it by itself */
   bit later /* a step has been sent since it was observed */
 };
 
-/* A fact: an event that the device took, or FOUND_IN + the state in which it was found. */
+/* A fact: an event on which the device acted, or FOUND_IN + the state in which it was found. */
 #define FOUND_IN 100
 
-bit pair; /* which models count: 0 those of the beginning, 1 the others */
+bit pair; /* the current models: 0 the initial ones, 1 the others */
 bit open;
-byte device_at = INITIAL_DEVICE; /* the record of where the device is */
+byte device_at = INITIAL_DEVICE; /* the record of the device's state */
 byte system_at = INITIAL_SYSTEM;
 
 byte doubt;
@@ -93,23 +93,23 @@ bit decided;
 int plan;
 byte stage;
 byte taken;
-byte step_source; /* where the next step begins */
+byte step_source; /* the source state of the next step */
 byte facts;
 byte fact[FACTS];
 
-/* What the core asks its components for. */
+/* The core's directives to its components. */
 #define NOTHING 0
 #define SEND 1
 #define LOCATE 2
 byte directive;
 
-/* How many occurrences have been observed and ended with the input at hand. */
+/* The numbers of occurrences that were observed and that ended during the current input. */
 hidden byte observed_count, ended_count;
 
 /* Scratch. */
 hidden Pending next_one;
 hidden byte i, j, k, at_state, before_state, target, number;
-hidden byte entries; /* visits that began with the input at hand */
+hidden byte entries; /* visits that began during the current input */
 hidden byte kept_fact[FACTS];
 hidden byte noted_id, noted_event, noted_source, ended_kind, timer;
 hidden byte flag, sure, as_planned, goes_on;
@@ -141,7 +141,7 @@ hidden int code;
 #define HAS_HAPPENED(one) (one.from != NONE || one.acted || one.kind == FOUND || one.kind == EVOLVED || one.kind == IN_DOUBT)
 #define NEXT_STEP STEP(plan, taken)
 
-/* Rules.decide: what the occurrence in progress means where things are; into `code`, and where planning begins into `at_state`. */
+/* Rules.decide: stores the decision on the occurrence in progress in `code`, and the state where planning begins in `at_state`. */
 inline decide() {
   at_state = device_at;
   if
@@ -168,13 +168,13 @@ inline decide() {
   fi
 }
 
-/* DecisionTable.find: where the new model goes when the device is found in `state`; into `code`. */
+/* DecisionTable.find: stores the new model's next state when the device is found in `state` in `code`. */
 inline find(state) {
   target = find_table[IX(pair, state, system_at, 0)];
   code = RESYNCHRONIZATION + 16 * target + (target != system_at -> 8 : 0)
 }
 
-/* ---- numbers: the least that nothing refers to, so that they do not grow without end ---- */
+/* ---- numbers: the lowest unused one, so that they do not grow without bound ---- */
 
 inline give_number() {
   observed_count++;
@@ -199,7 +199,7 @@ inline give_number() {
   printf("new %d\n", number)
 }
 
-/* ---- the line ---- */
+/* ---- the queue ---- */
 
 /* Adds `next_one`. */
 inline append() {
@@ -265,7 +265,7 @@ inline ask_where() {
   fi
 }
 
-/* Ledger.doubt: `k` says how many facts there were; they are in `kept_fact`. */
+/* Ledger.doubt: `k` is the number of facts; they are in `kept_fact`. */
 inline doubt_step(number_, event, source) {
   doubt_steps = (doubt == NONE -> SAME : NEVER_KNOWN);
   doubt = UNSETTLED;
@@ -318,7 +318,7 @@ inline add_fact(what_) {
   facts++
 }
 
-/* Overlap.takes: where the step `event` takes a device that is in `state`; into `target`. */
+/* Overlap.takes: stores the target of the step `event` from `state` in `target`. */
 inline takes(state, event) {
   target = (OWN(state, event) != NONE -> OWN(state, event) : state)
 }
@@ -327,7 +327,7 @@ inline follows(state, what_) {
   state = (what_ > FOUND_IN -> what_ - FOUND_IN : (OWN(state, what_) != NONE -> OWN(state, what_) : state))
 }
 
-/* Overlap.alwaysEndsIn for the `k` facts in `kept_fact`, into `sure`. */
+/* Overlap.alwaysEndsIn for the `k` facts in `kept_fact`; the result is in `sure`. */
 inline always_ends_in(end, event, source) {
   sure = 1;
   before_state = source;
@@ -361,7 +361,7 @@ inline enter() {
   another_visit()
 }
 
-/* What belonged to the present visit belongs to a former one. */
+/* Occurrences of the present visit become those of a former one. */
 inline another_visit() {
   i = 0;
   do
@@ -371,7 +371,7 @@ inline another_visit() {
   work.visit = (work.visit == PRESENT -> FORMER : work.visit)
 }
 
-/* Ledger.enterAsLeft: what waits of the visit goes over to the next. */
+/* Ledger.enterAsLeft: the visit's waiting occurrences pass to the next visit. */
 inline enter_as_left() {
   entries++;
   i = 0;

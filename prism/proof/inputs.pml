@@ -1,6 +1,6 @@
 /*
- * The inputs of the core, see org.evoloop.core.Inputs. Each is told as one indivisible step (TELL). A mechanism is taken out by
- * defining its name, which is that of a Mutation in the core's own tests, or of one in docs/proof.md.
+ * The inputs of the core, see org.evoloop.core.Inputs. Each is one atomic step (TELL). To remove a mechanism, define its
+ * name, which is that of a Mutation in the core's own tests, or of one in docs/proof.md.
  */
 
 inline opened() {
@@ -39,7 +39,7 @@ inline closing() {
 
 inline closed() { leave() }
 
-/* The process has ended, and another one has recovered what the journal holds. */
+/* The process has ended, and another one has recovered the journal's contents. */
 inline recovered() {
   open = 0;
 #ifdef A_STEP_IS_WRITTEN_DOWN_AFTER_IT_WAS_SENT
@@ -86,7 +86,7 @@ inline recovered() {
 #endif
 }
 
-/* ---- what occurs ---- */
+/* ---- occurrences ---- */
 
 inline observed_heard(event, source_, visit_, acted_) {
   make(HEARD, event, source_, visit_, acted_);
@@ -110,7 +110,7 @@ inline asked_for() {
   fi
 }
 
-/* It was observed, and that is its end. */
+/* The occurrence was observed, and ends at once. */
 inline not_taken() {
   observed_count++;
 #ifdef COUNTED

@@ -1,8 +1,8 @@
 /*
- * The paper's own mechanism (its Algorithm 1 and the converter of its listing) in place of inputs.pml and turn.pml, in the same world: one
- * event at a time, and what comes meanwhile is lost; nobody waits for the device; the original model moves by the incoming event
- * when that is decided (line 9); what the device does by itself is an event like others; timers and functions are bound to no
- * visit; nothing outlives the process, and other models begin where they would initially.
+ * The paper's own mechanism (its Algorithm 1 and the converter of its listing) in place of inputs.pml and turn.pml, in the same
+ * world: one event at a time, and events that arrive meanwhile are lost; no step waits for the device; the original model moves by
+ * the incoming event when it is decided (line 9); the device's own actions are events like others; timers and functions are not
+ * bound to a visit; no state survives the process, and other models start in their initial states.
  */
 
 inline opened() {

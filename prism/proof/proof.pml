@@ -1,6 +1,6 @@
-/* The whole: what must hold, in every interleaving of what can happen. */
+/* The complete model: the properties must hold in every interleaving. */
 
-/* A number that somebody outside the core still refers to. */
+/* A number that is still used outside the core. */
 #define EFFECT_OF 200
 #define OUTSIDE(n) (flight == n || stray == n || lost == n || token[0] == EFFECT_OF + n || token[1] == EFFECT_OF + n)
 

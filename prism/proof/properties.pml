@@ -1,10 +1,10 @@
-/* How what must hold is watched. */
+/* Monitors of the properties. */
 
 byte violated;
 hidden byte held_before;
 hidden byte was_entered;
 
-/* Steps of a plan that was interrupted: what was begun by then must not be begun once more. */
+/* Steps of an interrupted plan: those that had begun must not begin again. */
 byte lost;
 hidden byte remembered;
 bit lost_flying;
@@ -12,10 +12,10 @@ int lost_plan;
 byte lost_taken;
 byte lost_attempts;
 
-/* How many visits there have been, as far as it counts: none, one, more. */
+/* The number of visits so far: none, one, more. */
 byte visited;
 
-/* With ONLY, nothing else counts. */
+/* With ONLY, only that property is checked. */
 #ifndef ONLY
 #define ONLY 0
 #endif
@@ -64,7 +64,7 @@ inline remember_plan() {
   fi
 }
 
-/* What was taken and done in a plan stays so, whatever ends a process. */
+/* The progress of a plan survives the end of a process. */
 inline nothing_lost() {
   must(AGAIN, !remembered || lost_flying || (busy && work.id == lost && plan == lost_plan && taken == lost_taken))
 }

@@ -1,4 +1,4 @@
-/* The core alone, told what a script says: study/proof/conformance.py adds the script and compares what this prints. */
+/* The core alone, with the inputs of a script: study/proof/conformance.py adds the script and compares the output. */
 
 #include "tables.pml"
 
@@ -11,7 +11,7 @@ inline must(property, holds) { skip }
 #include "inputs.pml"
 #include "turn.pml"
 
-/* Another core. */
+/* A new core. */
 inline anew() {
   end_work();
   no_doubt();

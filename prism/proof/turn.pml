@@ -1,4 +1,4 @@
-/* The inputs of the core about the occurrence that has the turn, and about changes; see inputs.pml. */
+/* The inputs of the core that concern the occurrence in progress, and changes; see inputs.pml. */
 
 /* ---- a turn ---- */
 
@@ -67,14 +67,14 @@ inline keep_doubts_facts() {
   od
 }
 
-/* The step on its way, for whoever needs it after the work has ended. */
+/* Notes the step in transit, which is needed after the work has ended. */
 inline note_step() {
   noted_id = work.id;
   noted_event = NEXT_STEP;
   noted_source = step_source
 }
 
-/* A plan that was made where the device was in `start` and the system in `system`. */
+/* A plan that was made when the device was in `start` and the system in `system`. */
 inline planned(id_, plan_, start, system) {
   if
   :: busy && work.id == (id_) && stage == RESUMED -> stage = READY; forget_facts(); go_on()
@@ -136,7 +136,7 @@ inline sending(id_) {
   fi
 }
 
-/* The step that was being sent has had its effect. */
+/* The step that was being sent has taken effect. */
 inline sent(id_, in_order) {
   if
   :: busy && work.id == (id_) && stage == SENDING -> took(in_order)
@@ -179,7 +179,7 @@ inline took(in_order) {
   fi
 }
 
-/* A step was sent: whatever was observed before is older. */
+/* A step was sent: all earlier observations are older. */
 inline step_counts() {
   stepped = 1;
   work.later = busy;
@@ -247,7 +247,7 @@ inline conclude() {
   enter_again(ended_kind)
 }
 
-/* The plan has been overtaken: the occurrence is decided anew, before all others. */
+/* The plan has been overtaken: the occurrence is decided again, before all others. */
 inline again() {
   if
   :: work.attempts + 1 > MOST_ATTEMPTS || (!open && !HAS_HAPPENED(work)) -> conclude()
@@ -285,7 +285,7 @@ inline given_up(id_) {
   fi
 }
 
-/* The device was asked; `state` is NONE if it could not tell. */
+/* The result of a query of the device's state; `state` is NONE if it is unknown. */
 inline located(id_, state) {
 #ifdef AN_ANSWER_COUNTS_HOWEVER_OLD_IT_IS
   forget_facts();
@@ -330,7 +330,7 @@ inline changed() { ask_where() }
 #define KEEPS_TIMER(f) (((f) >> 6) & 1)
 #define KEEPS_FUNCTION(f) (((f) >> 7) & 1)
 
-/* Whether nothing keeps other models from taking over; see Core.hindrance. */
+/* Whether other models can take over; see Core.hindrance. */
 #define UNHINDERED (!busy && !(waiting > 0 && line[0].attempts > 0) && doubt != UNSETTLED && POSSIBLE(FATE))
 
 inline evolved() {

@@ -1,36 +1,36 @@
 /*
- * What is around a core: the device as it truly is, its adapter, the components of the loop, and all that can go wrong. What may
- * happen without end is a process that has to go on (weak fairness); how often anything else may happen is bounded (PRESSES and
- * so on). See org.evoloop.core.Moves and its neighbours in the core's tests for the same world.
+ * The environment of a core: the real device, its adapter, the components of the loop, and all faults. Actions that may occur
+ * without limit are processes under weak fairness; the number of all others is bounded (PRESSES and so on). See
+ * org.evoloop.core.Moves and its neighbours in the core's tests for the same world.
  */
 
 #define CLOSED 0
 #define OPEN 1
 #define CLOSING 2
 
-/* What has happened at the device and was not told yet, first come first: the effect of a step, or a fact. */
+/* Unreported occurrences at the device, in order: the effect of a step, or a fact. */
 #define MOST_UNTOLD 2
 
 byte device = INITIAL_DEVICE;
-bit acting; /* it is busy with what it was sent, and loses what is sent meanwhile */
+bit acting; /* the device is busy with a command, and loses commands sent meanwhile */
 byte untold;
 byte token[MOST_UNTOLD];
 
-byte flight; /* the number of the occurrence whose step is on its way */
+byte flight; /* the number of the occurrence whose step is in transit */
 byte flight_event;
 bit landed;
-byte stray; /* the same of a step that was given up and may still have its effect */
+byte stray; /* the same for an abandoned step that may still take effect */
 byte stray_event;
 
-byte answer; /* where the device said that it is */
-bit planning; /* analyze has decided, on what it saw then */
+byte answer; /* the state that the device reported */
+bit planning; /* analyze has decided, on the state at that time */
 int made;
 byte made_at;
 byte made_in;
 
 byte phase = CLOSED;
 bit swap; /* other models are to take over */
-bit tried; /* since the last event they were */
+bit tried; /* this was attempted since the last event */
 
 byte presses_left = PRESSES;
 byte owns_left = OWNS;
@@ -48,7 +48,7 @@ byte changes_left = CHANGES;
 #define IS_FACT_FOUND(t) ((t) > FOUND_IN && (t) < EFFECT_OF)
 #define SEEN_UNTOLD (IS_FACT_FOUND(token[0]) || IS_FACT_FOUND(token[1]))
 
-/* What a device in its state does on `event`. */
+/* The device's reaction to `event` in its state. */
 inline takes_by_itself(event) { device = (OWN(device, event) != NONE -> OWN(device, event) : device) }
 
 inline happened(what_) {
@@ -65,7 +65,7 @@ inline forget_token(place) {
   token[untold] = 0
 }
 
-/* Nobody will tell of the effect of the step that was given up. */
+/* The effect of the abandoned step will never be reported. */
 inline hide_effect() {
   if
   :: untold > 0 && token[0] > EFFECT_OF -> forget_token(0)
@@ -90,7 +90,7 @@ inline no_plan() {
   made_in = 0
 }
 
-/* The component that has the turn is given up, with what it was sending. */
+/* The component whose turn it is is abandoned, with its step. */
 inline let_go(hidden_) {
   if
   :: flight && !landed -> stray = flight; stray_event = flight_event
@@ -127,7 +127,7 @@ inline device_gets(event) {
   happened(EFFECT_OF + flight)
 }
 
-/* Who does not know that the device was busy takes the event for taken. */
+/* The adapter does not know that the device was busy, and reports the effect. */
 inline lost_at_device() {
   landed = 1;
   happened(EFFECT_OF + flight)
@@ -187,7 +187,7 @@ inline try_swap() {
   fi
 }
 
-/* The present one, and one before whose function has not noticed that it is over. */
+/* The present visit, or a former one whose function has not noticed that it is over. */
 inline choose_visit() {
   if
   :: visit = PRESENT
@@ -209,7 +209,7 @@ inline end_process(hidden_) {
 
 #define timer_waits() ((waiting > 0 && line[0].source == TIMER && line[0].visit == PRESENT) || (waiting > 1 && line[1].source == TIMER && line[1].visit == PRESENT) || (waiting > 2 && line[2].source == TIMER && line[2].visit == PRESENT))
 
-/* ---- what goes on ---- */
+/* ---- processes ---- */
 
 proctype Device() {
   do
@@ -263,7 +263,7 @@ proctype Operator() {
   od
 }
 
-/* ---- what may happen ---- */
+/* ---- bounded actions ---- */
 
 proctype People() {
   byte event;

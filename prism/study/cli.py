@@ -38,7 +38,7 @@ def _parse(arguments: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="./evoloop study",
         description="Checks the models of prism/models and writes tables, plots and a report to prism/results.",
-        epilog="Exit status: 0 good, 1 something does not hold or cannot be done, 2 wrong usage or input.",
+        epilog="Exit status: 0 success, 1 a check failed or something could not be done, 2 wrong usage or input.",
     )
     parser.add_argument(
         "--check",
@@ -48,17 +48,17 @@ def _parse(arguments: list[str]) -> argparse.Namespace:
     parser.add_argument(
         "--slow",
         action="store_true",
-        help="with --check: run the slow tests instead, which change every model file in all ways they know "
-        "and fail if nobody notices",
+        help="with --check: run the slow tests instead, which make mutants of every model file "
+        "and fail if one is not detected",
     )
     parser.add_argument(
         "--checker",
         choices=("storm", "prism", "both"),
         default="storm",
-        help="what checks the models: Storm (default), PRISM if it is on the PATH, or both and how far they differ",
+        help="the model checker: Storm (default), PRISM if it is on the PATH, or both, with their largest difference",
     )
     parser.add_argument(
-        "--experiment", action="store_true", help="measure the converter that runs, too, and compare it with the models"
+        "--experiment", action="store_true", help="also measure the running converter, and compare it with the models"
     )
     parser.add_argument(
         "--seed", type=int, default=1, metavar="N", help="the seed of the experiment's first point (default: 1)"
@@ -66,16 +66,16 @@ def _parse(arguments: list[str]) -> argparse.Namespace:
     parser.add_argument(
         "--proof",
         action="store_true",
-        help="check the specification of the converter in prism/proof in every interleaving, too, with Spin; "
-        "takes some minutes",
+        help="also check the specification of the converter in prism/proof in every interleaving, with Spin; "
+        "takes several minutes",
     )
     parser.add_argument(
         "--measured",
         nargs="?",
         const="",
         metavar="FILE",
-        help="take the conversion times from FILE, which ./evoloop bench --json FILE has written, "
-        "or without FILE from the newest of benchmarks/results",
+        help="use the conversion times in FILE, written by ./evoloop bench --json FILE; "
+        "without FILE, those of the newest file in benchmarks/results",
     )
     options = parser.parse_args(arguments)
     if options.slow and not options.check:
@@ -124,7 +124,7 @@ def _study(options: argparse.Namespace) -> int:
     failed = failures(comparisons) if options.experiment else []
     for one in comparisons if options.experiment else []:
         if not one.holds():
-            say(f"{one}" + ("" if one in failed else "; chance explains it"))
+            say(f"{one}" + ("" if one in failed else "; this is within chance"))
     print(run.RESULTS / "report.md")
     return 0 if _agree(checker) and not failed and not broken else 1
 

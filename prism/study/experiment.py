@@ -41,7 +41,7 @@ class Measurements:
 
 
 def measure(first_seed: int, progress: Callable[[str], None]) -> Table:
-    """Runs the experiment; each point has a seed of its own in each mode, counted from the first one."""
+    """Runs the experiment; each point has its own seed in each mode, counted up from the first one."""
     if not _JAR.is_file():
         raise Problem(f"{_JAR} is missing; run the study as ./evoloop study --experiment, which builds it")
     java = shutil.which("java")

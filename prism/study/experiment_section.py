@@ -10,7 +10,7 @@ _TAIL_TIMES_S = (1, 2, 4, 6, 8)
 
 def experiment(comparisons: list[Comparison], events: dict[Mode, int]) -> str:
     if not comparisons:
-        return """## 8. The converter that runs
+        return """## 8. The running converter
 
 Not measured yet; `./evoloop study --experiment` does."""
     by_place = {(one.mode, one.point.name, one.quantity, one.time_s): one for one in comparisons}
@@ -30,36 +30,37 @@ Not measured yet; `./evoloop study --experiment` does."""
         (mode.name, mode.short_runs, f"{BATCHES * mode.batch_s / 3600:.0f} hours", f"at least {events[mode]:,}")
         for mode in MODES
     ]
-    return f"""## 8. The converter that runs
+    return f"""## 8. The running converter
 
 The framework's converter under a simulated clock, step by step on one thread and with a thread for each component (monitor,
-queue, analyze, plan, execute and knowledge are the real ones) against a simulated device: Poisson arrivals, exponential
-action times, and conversion times that are exponential or of phases. For each point there are many runs of at least 100 s from the empty system and a long one of {BATCHES}
-batches:
+queue, analyze, plan, execute and knowledge are the real ones), against a simulated device: Poisson arrivals, exponential
+action times, and conversion times that are exponential or have phases. For each point there are many runs of at least 100 s
+from the empty system and a long one of {BATCHES} batches:
 
 {table(("mode", "short runs", "the long run", "events of a point"), lengths)}
 
-Nothing is taken from the converter's own counters: the bench keeps a book of
-the events that it lets arrive, and what never reaches the device is lost. With the same seed both modes give the same run
-(`BenchTest`), so each has seeds of its own. Measured, 99 % confidence interval, and in brackets the model's value:
+The converter's own counters are not used: the bench records the events that it generates, and an event that
+never reaches the device is lost. With the same seed both modes give the same run
+(`BenchTest`), so each has its own seeds. Measured values with 99 % confidence intervals, and the model's value in brackets:
 
 {table(("point", "mode", "seed", *_usual(QUANTITIES).values()), rows)}
 
-The disturbed converter, step by step. A crash ends the process where it is; the next one begins with a copy of the journal as it was
-at that moment. Left out is what the model has otherwise: without a journal, losses until 100 s (a crash loses what came before it, so
-the bench's book has them earlier), and what becomes of an event that was decided before somebody operated the device.
+The converter with disturbances, step by step. A crash ends the process at that point; the next one starts with a copy of the
+journal as it was at that moment. Quantities that the model defines differently are left out: without a journal, losses until 100 s
+(a crash loses events that arrived before it, so the bench records them earlier), and the outcome of an event that was decided before the
+device was operated manually.
 {_parameters()}
 
 {table(("point", "seed", *QUANTITIES.values()), disturbed)}
 
-How long events wait tells how the queue is ordered, which means do not: one that serves the last event first has the same mean.
-The share of events that wait longer than a time, where the model has one event's way (all whole seconds up to 10 are compared;
-here are some):
+The distribution of waiting times shows the order of the queue; the mean does not, since serving the last event first gives the same
+mean. The share of events that wait longer than a given time, if the model follows single events (all whole seconds up to 10 are
+compared; here are some):
 
 {table(("point", "mode", *(f"longer than {t} s" for t in _TAIL_TIMES_S)), tails)}
 
-What is too rare for an interval to mean much is left out: fewer than 100 losses, or fewer than 1,000 of the waits, to be
-expected.
+Values that are too rare for a meaningful interval are left out: fewer than 100 expected losses, or fewer than 1,000 expected
+waits.
 
 {_verdict(comparisons)}
 
@@ -83,10 +84,10 @@ def _parameters() -> str:
 def _verdict(comparisons: list[Comparison]) -> str:
     missed = [one for one in comparisons if not one.holds()]
     failed = failures(comparisons)
-    text = f"""**The rule.** {len(comparisons) - len(missed)} of {len(comparisons)} intervals hold the model's value{"; those in bold do not" if missed else ""}. Of intervals at 99 % one
-in a hundred misses by chance, so a single miss is no failure. `./evoloop study --experiment` fails if a value lies outside an
-interval so much wider that all {len(comparisons)} together miss one by chance in 1 % of all runs at most, however they depend on each other
-(Bonferroni: each at {100 * (1 - 0.01 / len(comparisons)):.3f} %, four standard errors instead of 2.6). {_number(len(failed))}."""
+    text = f"""**The rule.** {len(comparisons) - len(missed)} of {len(comparisons)} intervals contain the model's value{"; those in bold do not" if missed else ""}. One in
+a hundred 99 % intervals misses by chance, so a single miss is not a failure. `./evoloop study --experiment` fails if a value lies
+outside a wider interval, chosen so that at most 1 % of all runs have a miss by chance among all {len(comparisons)}, however they
+depend on each other (Bonferroni: each at {100 * (1 - 0.01 / len(comparisons)):.3f} %, four standard errors instead of 2.6). {_number(len(failed))}."""
     return text + (" Beyond chance: " + "; ".join(str(one) for one in failed) + "." if failed else "")
 
 

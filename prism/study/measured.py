@@ -16,8 +16,8 @@ KEPT = Path(__file__).resolve().parent.parent.parent / "benchmarks" / "results"
 """The stored results of ./evoloop bench --json."""
 
 ROWS = {
-    "a whole conversion with threads, median": "an event follows at once on the one before",
-    "button to command, added by us, median": "every thread has slept before, and a serial link lies between",
+    "a whole conversion with threads, median": "each event follows immediately after the previous one",
+    "button to command, added by us, median": "every thread was asleep before; includes a serial link",
 }
 """The rows of the benchmarks' table that are conversion times, with the conditions of their measurement."""
 

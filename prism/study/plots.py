@@ -133,7 +133,7 @@ def _waiting(means: Table, longer: Table) -> Figure:
         right.plot([row[3] for row in rows], [row[4] for row in rows], markersize=4, label=f"K = {capacity}", **style)
     right.set_yscale("log")
     right.set_ylim(1e-4, 1.2)
-    _finish(right, f"Conversion {_CONVERSION_S} s", "t in s", "probability to wait longer than t")
+    _finish(right, f"Conversion {_CONVERSION_S} s", "t in s", "probability of waiting longer than t")
     return figure
 
 
@@ -200,10 +200,10 @@ def _experiment(measurements: Measurements, predictions: Predictions) -> Figure:
     right.set_ylim(1e-4, 1.2)
     _finish(left, "Losses", _TIME, _LOST)
     _finish(middle, "Completion", _TIME, _DONE)
-    _finish(right, "Waiting, in the long run", "t in s", "probability to wait longer than t")
+    _finish(right, "Waiting, in the long run", "t in s", "probability of waiting longer than t")
     figure.suptitle(
-        "The models (lines) and the converter that runs (marks, 99 % confidence intervals;"
-        " full: step by step, empty: in threads)"
+        "The models (lines) and the running converter (marks, 99 % confidence intervals;"
+        " full: step by step, empty: with threads)"
     )
     return figure
 

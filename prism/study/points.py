@@ -83,4 +83,4 @@ POINTS = (
 MEASURED = tuple(
     (mode, point) for mode in MODES for point in POINTS if not (point.disturbed and mode.name == "threads")
 )
-"""What is measured. Disturbed points only without threads, since threads cannot be ended in the middle of their work."""
+"""The measured points. Disturbed ones only without threads, since threads cannot be ended in the middle of their work."""

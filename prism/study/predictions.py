@@ -16,7 +16,7 @@ QUANTITIES = {
     "wait_s": "waiting time in s",
     "lost_per_s": "events lost per s, in the long run",
     "divergence_s": "time until belief and device differ in s",
-    "handed": "events that the device has by 100 s",
+    "handed": "events handed over by 100 s",
     "differs": "share of time in which they differ",
 }
 TAIL = "longer"

@@ -32,7 +32,7 @@ _TABLES: dict[str, tuple[Callable[[Checker], Table], ...]] = {
     "waiting times": (waiting.waiting_table, waiting.longer_table),
     "belief and device": (belief.belief_table,),
     "devices that make it harder": (devices.path_table, devices.holdoff_table),
-    "what disturbs it": (disturbances.crash_table, disturbances.sight_table, disturbances.swap_table),
+    "disturbances": (disturbances.crash_table, disturbances.sight_table, disturbances.swap_table),
     "other arrivals and conversion times": (sensitivity.sensitivity_table,),
 }
 
@@ -73,13 +73,13 @@ def study(checker: Checker, progress: Progress) -> list[comparing.Comparison]:
 
 
 def prove(progress: Progress) -> list[str]:
-    """Checks the specification of the converter, for use in the report; returns what does not hold."""
+    """Checks the specification of the converter, for use in the report; returns the properties that do not hold."""
     RESULTS.mkdir(exist_ok=True)
     return proving.prove(RESULTS, progress)
 
 
 def run_experiment(first_seed: int, progress: Progress) -> None:
-    """Measures the converter anew, for use in the report."""
+    """Measures the converter again, for use in the report."""
     RESULTS.mkdir(exist_ok=True)
     experiment.measure(first_seed, progress).write(RESULTS)
 

@@ -12,20 +12,20 @@ from study.tables import Cell, Table
 def head(checker: str) -> str:
     return f"""# Performance and robustness
 
-What `./evoloop study` found, with {checker}. "The paper" is arXiv:2205.13375; its Exp. 2 is what the study starts from:
+The results of `./evoloop study`, computed with {checker}. "The paper" is arXiv:2205.13375; the study is based on its Exp. 2:
 a task of 19 actions (from state 1 to state 20), one event every 2 s, actions of 1 s, all times exponential. The models and
-properties are in `prism/models`; every figure here comes from them and can be had again with one command. In short:
+properties are in `prism/models`; every figure here comes from them and can be reproduced with one command. In short:
 
 - The paper's figures can be reproduced from its listing.
-- Its listing counts less than half of the events that get lost in the device. Counted exactly, a converter with room for a
-  single event and no regard for the device's readiness loses more events than the device alone, at every conversion time.
-- A short queue with back-pressure, which Evoloop has, makes the paper's claim come true, and the task ends earlier too.
-- All this is so if the device tells when it is ready. A Roomba does not; its converter's 200 ms would be far too
-  short for actions of 1 s, and nearly as many events would get lost as without a converter (section 4).
-- A journal saves what waits when a process crashes, and the record of the device; a link that breaks costs time; other models that
-  take over cost next to nothing (section 5).
-- The converter that runs does what its model says, on one thread and on many: losses, completion and how long events wait; on one
-  thread also with crashes, links that break and other models."""
+- The listing counts less than half of the events that are lost in the device. Counted exactly, a converter that holds a
+  single event and does not wait for the device loses more events than the device alone, at every conversion time.
+- With a short queue and back-pressure, which Evoloop has, the paper's claim holds, and the task also ends earlier.
+- This requires that the device reports when it is ready. A Roomba does not; its converter's 200 ms would be far too
+  short for actions of 1 s, and nearly as many events would be lost as without a converter (section 4).
+- When a process crashes, a journal saves the waiting events and the record of the device; a broken link costs time; changing to other
+  models costs almost nothing (section 5).
+- The running converter agrees with its model, with one thread and with several: losses, completion and waiting times; with one
+  thread also under crashes, broken links and changes of models."""
 
 
 def paper(curves: Curves) -> str:
@@ -41,9 +41,9 @@ def paper(curves: Curves) -> str:
 
 {table(("model", "done at 60 s", "at 80 s", "at 100 s", "mean completion in s", "lost until 100 s"), rows)}
 
-Model (a) is given in the paper as a picture; `baseline.sm` is how we read it. At 0.25 s the paper finds a performance
-similar to the baseline's, and so do we: the task takes {_percent(curves, 0.25)} longer, and the curves are never further
-apart than {largest:.3f}. At 1 s it takes {_percent(curves, 1.0)} longer."""
+The paper shows model (a) only as a picture; `baseline.sm` is our reading of it. At 0.25 s the paper finds a performance
+similar to the baseline's, and so do we: the task takes {_percent(curves, 0.25)} longer, and the curves differ by at
+most {largest:.3f}. At 1 s it takes {_percent(curves, 1.0)} longer."""
 
 
 def _percent(curves: Curves, conversion: float) -> str:
@@ -70,20 +70,20 @@ def counting(curves: Curves, tables: dict[str, Table], flagged: float) -> str:
 
 {table(("conversion", "lost, as listed", "lost, each once", "against the baseline", "device's losses that the listing counts"), rows)}
 
-The baseline loses {alone:.4f} events in 100 s. The listing counts rightly what the converter loses. What the device loses it
-counts in two steps: `[control]` raises the flag `lost`, and `[emb_lost]` counts the flag. That leaves out two kinds of
-losses. `[process]` lowers the flag without counting it, and as `[emb_lost]` has no rate (so its rate is 1, like that of
-`[process]`), it often comes first; and a second loss while the flag is up changes nothing. The last column says how much of
-the device's losses is counted in the long run. It is an easy slip to make, because nothing in the model looks wrong:
-it takes a second count to notice. Counted the same way, the baseline would show {flagged:.2f} instead of {alone:.2f}.
+The baseline loses {alone:.4f} events in 100 s. The listing counts the converter's losses correctly. It counts the device's losses
+in two steps: `[control]` raises the flag `lost`, and `[emb_lost]` counts the flag. This misses two kinds of
+losses. `[process]` lowers the flag without counting it, and since `[emb_lost]` has no rate (so its rate is 1, like that of
+`[process]`), it often comes first; and a second loss while the flag is up changes nothing. The last column shows the share of
+the device's losses that is counted in the long run. The mistake is easy to make, because nothing in the model looks wrong:
+only a second count reveals it. Counted the same way, the baseline would show {flagged:.2f} instead of {alone:.2f}.
 
 `exact.sm` counts each loss once, on the transition that loses the event. The probabilities do not change, so the paper's
 statement on performance stands. Its statement on robustness does not: the mechanism as listed has a second place where
-events get lost and none where they are kept. In the long run it loses {100 * unbuffered_lost_per_s(0.25):.2f} events in
-100 s at 0.25 s, against {100 / 6:.2f} of the device alone, and more than the device alone at any conversion time: with
-arrivals a, actions s and conversions c a second it does c(c+a+s) / ((c+a)(c+s)) of the device's actions, which is below 1.
+events are lost and none where they are stored. In the long run it loses {100 * unbuffered_lost_per_s(0.25):.2f} events in
+100 s at 0.25 s, compared with {100 / 6:.2f} for the device alone, and more than the device alone at any conversion time: with
+rates a of arrivals, s of actions and c of conversions it performs c(c+a+s) / ((c+a)(c+s)) of the device's actions, which is below 1.
 
-Break-even, the conversion time at which as many events get lost until 100 s as without a converter: {even["listing", None]:.3f} s
+Break-even, the conversion time at which as many events are lost until 100 s as without a converter: {even["listing", None]:.3f} s
 as listed (the paper: "faster than the action time", so 1 s), {even["exact", None]:.4f} s counted exactly. The latter is not zero
 only because the event that is in the converter at 100 s is not lost yet."""
 
@@ -119,32 +119,32 @@ def converter(curves: Curves, tables: dict[str, Table]) -> str:
 
 ![Probability that the task is done](performance.png)
 
-K is the number of events that the converter can hold, the one in conversion included (Evoloop's default is 9). *Serial*: it converts the next event when
-the device is ready. *Pipelined*, which Evoloop is: it converts while the device still acts, and hands over at the moment
-when the device is ready. Events lost until 100 s (baseline: {curves.lost("baseline", HORIZON_S):.2f}):
+K is the number of events that the converter can hold, including the one in conversion (Evoloop's default is 9). *Serial*: it
+converts the next event when the device is ready. *Pipelined*, as in Evoloop: it converts while the device still acts, and hands
+the event over as soon as the device is ready. Events lost until 100 s (baseline: {curves.lost("baseline", HORIZON_S):.2f}):
 
 {table(columns, losses)}
 
-Mean completion time in s (baseline: {curves.completion_s("baseline"):.2f}; an event that is kept is an action that need not
-wait for the next event):
+Mean completion time in s (baseline: {curves.completion_s("baseline"):.2f}; with a stored event, the next action need not
+wait for a new event):
 
 {table(columns, completions)}
 
-What it costs is that events wait, from their arrival until the device has them. Mean waiting time in s, in the long run:
+The price is that events wait, from their arrival until they are handed over. Mean waiting time in s, in the long run:
 
 {table(columns, waiting)}
 
-The probability to wait, pipelined, conversion 0.25 s:
+The probability of waiting, pipelined, conversion 0.25 s:
 
 {table(("", *columns[1:]), tails)}
 
 ![Waiting times](waiting.png)
 
-**Belief.** A converter without back-pressure takes each event that it has sent to be carried out. When the device was not
-ready, the converter's model and the device have parted, and a faster converter gets there sooner. In the models the belief
-moves by other actions than the device, and the device takes no heed of the converter; so nothing but the converter's regard
-for its readiness keeps them together. With back-pressure they never part. Mean time to the first parting in s, and the
-probability of one by some times:
+**Belief.** A converter without back-pressure assumes that each event it sends is carried out. If the device was not
+ready, the converter's model and the device diverge; the faster the converter, the sooner. In the models, belief and device
+change by different actions, and the device does not wait for the converter; only the converter's waiting for the device
+keeps them equal. With back-pressure they never diverge. Mean time to the first divergence in s, and the
+probability of a divergence by various times:
 
 {table(("converter", "mean", "5 s", "10 s", "20 s", "100 s"), beliefs)}"""
 
@@ -164,28 +164,28 @@ def devices(curves: Curves, tables: dict[str, Table]) -> str:
 
 ![Two events for one decision, and readiness that is inferred](devices.png)
 
-**Two events for one decision.** Evoloop may have to send the device two events to get it where the new model wants it; the
-event that was decided on leaves the converter with the last of them. Conversion 0.25 s, pipelined; events lost until 100 s,
+**Two events for one decision.** Evoloop may have to send the device two events to reach the state that the new model requires;
+the decided event leaves the converter with the last of them. Conversion 0.25 s, pipelined; events lost until 100 s,
 and completion and mean waiting time at K=8:
 
 {table(("device", *lost, "completion in s", "wait in s"), paths)}
 
-If the two actions take as long as the one did, the price is small: with little room somewhat more is lost, because the event
-occupies its place until the end; from K=4 on less is, because two short actions vary less than one long one. If each takes
-as long as the one did, the device is busy all the time at these arrivals and no queue can help; that is the device's limit,
-not the converter's. Without back-pressure the second of two events would nearly always come too early.
+If the two actions together take as long as the single one, the price is small: with a short queue slightly more events are lost,
+because the event occupies its place until the end; from K=4 on fewer are lost, because two short actions vary less than one long
+one. If each takes as long as the single one, the device is busy all the time at these arrivals and no queue can help; that is the
+device's limit, not the converter's. Without back-pressure the second of two events would nearly always come too early.
 
-**Readiness that is only inferred.** A Roomba does not tell when it can take the next command; the converter waits for a
+**Readiness that is only inferred.** A Roomba does not report when it is ready for the next command; the converter waits for a
 hold-off time after each. K={CAPACITY}, conversion 0.25 s; the hold-off is nearly constant (ten exponential phases):
 
 {table(headings, holdoffs)}
 
 Short hold-offs lose events in the device, long ones in the queue; the best of these is {best[0]:g} s, and it still loses
-{100 * best[4]:.1f} events per 100 s, where a device that tells loses {told:.2f}. And belief and device part. So: ask the device
-if there is any way to, and set a hold-off well above the mean action time if not. The Roomba converter waits 0.2 s: for a
-device with the paper's actions of 1 s that would cost {100 * shown[0][4]:.1f} events in 100 s, hardly less than no converter at all. What
-the 0.2 s are for is that a Roomba has taken a command in, not that it has done what it was told. Exponential action times, which have no
-longest, are the hard case: where no action takes longer than the hold-off, nothing is lost in the device."""
+{100 * best[4]:.1f} events per 100 s, compared with {told:.2f} for a device that reports its readiness. Belief and device also diverge.
+So query the device if possible; otherwise set a hold-off well above the mean action time. The Roomba converter waits 0.2 s: for a
+device with the paper's actions of 1 s that would lose {100 * shown[0][4]:.1f} events in 100 s, nearly as many as without a converter. The
+0.2 s cover the time in which a Roomba accepts a command, not the time in which it carries it out. Exponential action times, which have
+no maximum, are the hard case: if no action takes longer than the hold-off, nothing is lost in the device."""
 
 
 def sensitivity(found: Table) -> str:
@@ -196,17 +196,17 @@ def sensitivity(found: Table) -> str:
 
 ![Losses against the baseline's](sensitivity.png)
 
-The heavy line is where a converter loses as many events until 100 s as the device alone. To its right and above it the
-mechanism should not be used: the converter itself has become the bottleneck. The longest conversion time, of those
-checked (0.1 to 2 s), with which it pays:
+On the heavy line a converter loses as many events until 100 s as the device alone. To the right of it and above it the
+mechanism should not be used: the converter itself is the bottleneck. The longest of the checked conversion times (0.1 to 2 s)
+at which the mechanism loses fewer events:
 
 {table(("arrivals per s", "0.5", "0.8", "1", "1.5", "2"), rows)}
 
-As a rule, for a long queue in the long run, with arrivals a per s, conversion time c and actions of 1 s: serial pays while
-c < 1/a, that is, while converting takes less time than passes between two events; pipelined while c²/(1+c) < 1/a. (In 100 s
-a little more, because events that are still in the queue are not lost.) Where events come faster than the device
-can act at all, a queue delays the losses and keeps the device busy, but it is full most of the time: each event then waits
-for K actions. A converter for such a device should drop what has become old instead; none of these models does."""
+As a rule, for a long queue in the long run, with arrival rate a per s, conversion time c and actions of 1 s: serial pays off while
+c < 1/a, that is, while a conversion takes less time than passes between two events; pipelined while c²/(1+c) < 1/a. (In 100 s
+the limit is slightly higher, because events that are still in the queue are not lost.) If events arrive faster than the device
+can act, a queue delays the losses and keeps the device busy, but it is full most of the time: each event then waits
+for K actions. A converter for such a device should drop old events instead; none of these models does."""
 
 
 def _limit(found: Table, model: str, arrivals: float) -> str:
@@ -216,21 +216,21 @@ def _limit(found: Table, model: str, arrivals: float) -> str:
 
 def code() -> str:
     rows = [
-        ("`Converter`, `[arrived]`", "`PushMonitor` and every other `Monitor`, `MapeLoop.offer`", "a monitor tells an event; `event_arrive` is the controller's"),
+        ("`Converter`, `[arrived]`", "`PushMonitor` and every other `Monitor`, `MapeLoop.offer`", "a monitor reports an event; `event_arrive` is the controller's"),
         ("`waiting`, `K`", "`Sequencer`'s queue and the event in the loop, `LoopConfig.queueCapacity`", "K = queueCapacity + 1: the event in the loop has left the queue. Default: 8 + 1"),
-        ("`[conv_lost]`, reward `lost`", "`Sequencer.offer`, `QueueStatus.dropped`", "a full queue loses what comes, and counts it"),
-        ("`[hold]`, `[control]` at `conv_internal_process`", "`DecisionAnalyze`, `DecisionPlan`", "one event at a time is converted, also while the device acts"),
-        ("`converted`, `[next]`", "`EventExecute.awaitReady`", "back-pressure: what is converted waits for the device, and the queue behind it"),
-        ("`hold` in `holdoff.sm`", "an `awaitReady` that waits for a time, as the Roomba's", "readiness is inferred"),
+        ("`[conv_lost]`, reward `lost`", "`Sequencer.offer`, `QueueStatus.dropped`", "a full queue loses arriving events, and counts them"),
+        ("`[hold]`, `[control]` at `conv_internal_process`", "`EventAnalyze`, `EventPlan`", "one event at a time is converted, also while the device acts"),
+        ("`converted`, `[next]`", "`EventExecute.awaitReady`", "back-pressure: a converted event waits for the device, and so does the queue"),
+        ("`hold` in `holdoff.sm`", "an `awaitReady` that waits for a fixed time, like the Roomba's", "readiness is inferred"),
         ("`steps`, `sent` in `path.sm`", "`Conversion`, `PathPlanner`", "the steps of one decision, one after the other"),
-        ("`believed`, `parted`", "`StateKnowledge.getOriginalState`", "moves on with each event that is sent; whether the device comes to be elsewhere"),
-        ("`[crash]`, `journal` in `crash.sm`", "`Journal`, `SystemEventConverter.journal`", "the next process goes on with what waited"),
-        ("`[gone]`, `[found]` in `sight.sm`", "an `awaitReady` that waits for the link, `EventMonitor.foundIn`", "the record goes where the device is found"),
-        ("`Models` in `swap.sm`", "`SystemEventConverter.evolve`", "between two events; what comes waits"),
+        ("`believed`, `parted`", "`StateKnowledge.getOriginalState`", "changes with each event that is sent; whether the device will be in another state"),
+        ("`[crash]`, `journal` in `crash.sm`", "`Journal`, `SystemEventConverter.journal`", "the next process continues with the waiting events"),
+        ("`[gone]`, `[found]` in `sight.sm`", "an `awaitReady` that waits for the link, `EventMonitor.foundIn`", "the record follows the device's reported state"),
+        ("`Models` in `swap.sm`", "`SystemEventConverter.evolve`", "between two events; arriving events wait"),
         ("`EmbeddedSystem`, `actual`", "the device", "`emb_internal_process` is the device's"),
         ("`arrived` in `exact.sm`", "`queueCapacity` 0 and an `awaitReady` that returns at once", "the paper's mechanism, as the framework would run it"),
     ]
-    return f"""## 7. Which class is which module
+    return f"""## 7. Modules of the models and classes of the code
 
 {table(("model", "code", "meaning"), rows)}"""
 
@@ -251,17 +251,17 @@ Not measured yet; `./evoloop study --measured` takes the conversion times from `
     measurements = "\n".join(f"- {1e6 * time:.1f} µs: {row}; {ROWS[row]}" for row, time in times.items())
     return f"""## 9. Today's converter
 
-The conversion time as the benchmarks measured it ({run}), taken in place of the paper's 0.25 s:
+The conversion time measured by the benchmarks ({run}) replaces the paper's 0.25 s:
 
 {measurements}
 
 {table(("conversion", "converter", "completion in s", "lost per 100 s, in the long run", "mean wait in s"), rows)}
 
 The paper asks whether event conversion is sufficiently faster than the action time of the embedded system. It is, by a
-factor of {1 / max(times.values()):,.0f} at least. Converting costs nothing that could be noticed: with the paper's mechanism the task takes as
-long and as many events get lost as without a converter. What makes a difference is the queue: the converter as it is by
-default loses {100 * ours[6]:.2g} events in 100 s, in the long run, instead of {100 * curves.lost_per_s("baseline"):.2f}
-and finishes the task after {ours[5]:.1f} s instead of {curves.completion_s("baseline"):.0f}, if the device tells when it is ready.
+factor of {1 / max(times.values()):,.0f} at least. Conversion has no noticeable cost: with the paper's mechanism the task takes as
+long and as many events are lost as without a converter. The queue makes the difference: the converter with its
+default settings loses {100 * ours[6]:.2g} events in 100 s, in the long run, instead of {100 * curves.lost_per_s("baseline"):.2f}
+and finishes the task after {ours[5]:.1f} s instead of {curves.completion_s("baseline"):.0f}, if the device reports when it is ready.
 
 {_spread(spread)}"""
 
@@ -278,19 +278,19 @@ def _spread(found: Table) -> str:
                 f"{1e6 * mean:.1f} µs" if mean < 0.01 else f"{mean:g} s",
                 *(f"{row[column]:.5g} ({_change(row[column], exponential[column])})" for column in (10, 11, 12)),
             ))
-    return f"""**As they vary.** Measured times are not exponential. `phases.sm` has conversions of several exponential phases (a Coxian
-distribution), fitted to the median and the 99th percentile, which the benchmarks keep: where times vary less than exponential ones,
-phases of one length; where they vary more, one conversion in ten has another, longer phase. Variation is variance by squared mean;
-exponential times have 1, constant ones 0.
+    return f"""**Variation.** Measured times are not exponential. `phases.sm` has conversions of several exponential phases (a Coxian
+distribution), fitted to the median and the 99th percentile from the benchmarks: if times vary less than exponential ones,
+phases of equal length; if they vary more, one conversion in ten has another, longer phase. Variation is variance divided by squared
+mean; it is 1 for exponential times and 0 for constant ones.
 
 {table(("measured", "median", "99th percentile", "phases", "variation"), shapes.values())}
 
-In the long run, K={HELD}, and in brackets the difference to exponential times of the same mean; also for slower converters whose
+In the long run, K={HELD}, with the difference from exponential times of the same mean in brackets; also for slower converters whose
 times vary in the same way:
 
 {table(("spread of", "mean", "completion in s", "lost per s", "mean wait in s"), rows)}
 
-At today's times it makes no difference how they vary. In a converter that is as slow as the device it does: rare long conversions fill
+At today's times their variation makes no difference. In a converter that is as slow as the device it does: rare long conversions fill
 the queue."""
 
 
@@ -313,7 +313,7 @@ def files() -> str:
         ("`path.csv`, `holdoff.csv`", "section 4"),
         ("`sensitivity.csv`", "section 6"),
         ("`crash.csv`, `sight.csv`, `swap.csv`", "section 5"),
-        ("`experiment-measured.csv`, `experiment.csv`", "section 8: what was measured, and beside the models' values"),
+        ("`experiment-measured.csv`, `experiment.csv`", "section 8: the measurements, alone and compared with the models"),
         ("`measured.csv`, `measured-phases.csv`", "section 9"),
         ("`proof.csv`, `proof-mutants.csv`, `proof-paper.csv`, `proof-conformance.csv`, `proof/*.svg`", "section 10"),
     ]
@@ -321,4 +321,4 @@ def files() -> str:
 
 {table(("file", "content"), rows)}
 
-Each plot is there as PNG and as SVG."""
+Each plot is available as PNG and as SVG."""

@@ -28,7 +28,7 @@ class MutantsTest(unittest.TestCase):
                 reason = next((one for one in SURVIVORS if one.explains(path.name, mutant)), None)
                 used.add(reason)
                 with self.subTest(file=path.name, mutant=str(mutant)):
-                    self.assertIsNotNone(reason, "nobody notices, and tests/survivors.py does not say why")
+                    self.assertIsNotNone(reason, "not detected, and tests/survivors.py gives no reason")
             print(f"{path.name}: {number} mutants, {survived} of them explained or unnoticed", flush=True)
         for one in SURVIVORS:
             with self.subTest(explanation=one):

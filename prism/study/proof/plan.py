@@ -6,14 +6,14 @@ CLOCKWORK = ("drains", "swaps")
 """Liveness properties, which Spin checks under weak fairness."""
 
 PROPERTIES = {
-    "record": "the record says where the device is, whenever nothing is on its way and no doubt is declared",
-    "once": "every occurrence that is observed ends in exactly one way",
-    "visit": "no occurrence of a former visit is begun",
-    "again": "after a crash no step that was begun is sent a second time, and no plan is made anew",
-    "sent": "a step is only sent where the record says that it begins",
-    "stuck": "when nothing waits, a visit is under way",
-    "drains": "when no more happens, the queue drains",
-    "swaps": "a swap ends: it is done, or given up",
+    "record": "the record is the device's state whenever nothing is in transit and no doubt is declared",
+    "once": "every observed occurrence ends in exactly one way",
+    "visit": "no occurrence of an earlier visit is begun",
+    "again": "after a crash no step that was begun is sent a second time, and no plan is made again",
+    "sent": "a step is only sent when the record is at the step's source state",
+    "stuck": "when nothing waits, a visit is in progress",
+    "drains": "when nothing more happens, the queue drains",
+    "swaps": "every swap ends: it is completed or abandoned",
 }
 NUMBERS = ("", "record", "once", "visit", "again", "sent", "stuck")
 """The properties, by their numbers in prism/proof/core.pml."""
@@ -57,13 +57,13 @@ PAIRS = (ROBOT, BULB)
 
 ACTS = {
     "PRESSES": "events of a controller",
-    "OWNS": "acts of the device by itself",
-    "JUMPS": "findings elsewhere",
+    "OWNS": "actions of the device",
+    "JUMPS": "findings in another state",
     "RAISES": "events of functions",
-    "ASKS": "steps that a function asks for",
+    "ASKS": "steps requested by functions",
     "STOPS": "stops",
     "FAILS": "failures",
-    "GIVE_UPS": "components given up",
+    "GIVE_UPS": "components abandoned",
     "ENDS": "crashes",
     "SWAPS": "swaps",
     "CHANGES": "exchanges",
@@ -101,7 +101,7 @@ class Adapter:
 
 BEST = Adapter(
     "best",
-    "effects are told in their place among what the device does by itself, and the device can say where it is",
+    "effects are reported in order with the device's own actions, and the device can report its state",
     ("-DIN_ORDER", "-DCAN_LOCATE=1"),
 )
 WORST = Adapter("worst", "neither", ("-DCAN_LOCATE=0",))
@@ -111,7 +111,7 @@ ADAPTERS = (BEST, WORST)
 
 @dataclass(frozen=True)
 class Mutant:
-    """A removed mechanism, the scene, and what then fails."""
+    """A removed mechanism, the scene, and the property that then fails."""
 
     name: str
     mechanism: str
@@ -125,25 +125,25 @@ class Mutant:
 
 MUTANTS = (
     Mutant("FACTS_WAIT_FOR_THEIR_TURN", "a fact moves the record when it is observed", "record", ROBOT, {"OWNS": 1}),
-    Mutant("A_CLOSED_CONVERTER_HEARS_NO_FACTS", "facts count while the converter is stopped", "record", ROBOT, {"OWNS": 1}),
-    Mutant("GIVING_UP_LEAVES_NO_DOUBT", "a step that was given up leaves a doubt", "record", BULB, {"PRESSES": 1, "GIVE_UPS": 1}),
-    Mutant("THE_ORDER_IS_NEVER_IN_DOUBT", "an order that nobody knows leaves a doubt", "record", ROBOT, {"PRESSES": 1, "JUMPS": 1}, UNORDERED),
-    Mutant("WHAT_HAPPENS_DURING_A_STEP_IS_FORGOTTEN", "what the device does while a step is on its way is kept", "record", BULB, {"PRESSES": 1, "OWNS": 1}),
-    Mutant("AN_ANSWER_COUNTS_HOWEVER_OLD_IT_IS", "an answer that the device has overtaken is asked for again", "record", BULB, {"PRESSES": 1, "OWNS": 1, "GIVE_UPS": 1}),
-    Mutant("AN_END_LEAVES_NO_DOUBT", "a step on its way when the process ends leaves a doubt", "record", BULB, {"PRESSES": 1, "ENDS": 1}),
-    Mutant("OTHER_MODELS_BEGIN_WHERE_THEY_WOULD_INITIALLY", "a swap takes the record over", "record", ROBOT, {"OWNS": 1, "SWAPS": 1}),
+    Mutant("A_CLOSED_CONVERTER_HEARS_NO_FACTS", "facts are accepted while the converter is stopped", "record", ROBOT, {"OWNS": 1}),
+    Mutant("GIVING_UP_LEAVES_NO_DOUBT", "an abandoned step leaves a doubt", "record", BULB, {"PRESSES": 1, "GIVE_UPS": 1}),
+    Mutant("THE_ORDER_IS_NEVER_IN_DOUBT", "an unknown order leaves a doubt", "record", ROBOT, {"PRESSES": 1, "JUMPS": 1}, UNORDERED),
+    Mutant("WHAT_HAPPENS_DURING_A_STEP_IS_FORGOTTEN", "the device's actions during a step are recorded", "record", BULB, {"PRESSES": 1, "OWNS": 1}),
+    Mutant("AN_ANSWER_COUNTS_HOWEVER_OLD_IT_IS", "an outdated answer is requested again", "record", BULB, {"PRESSES": 1, "OWNS": 1, "GIVE_UPS": 1}),
+    Mutant("AN_END_LEAVES_NO_DOUBT", "a step in transit when the process ends leaves a doubt", "record", BULB, {"PRESSES": 1, "ENDS": 1}),
+    Mutant("OTHER_MODELS_BEGIN_WHERE_THEY_WOULD_INITIALLY", "a swap keeps the record", "record", ROBOT, {"OWNS": 1, "SWAPS": 1}),
     Mutant("NO_BACK_PRESSURE", "a step waits until the device is ready", "record", BULB, {"PRESSES": 2}, in_core=False),
     Mutant("CLOSING_DISCARDS_FACTS", "a stop discards no facts", "once", ROBOT, {"OWNS": 1, "STOPS": 1}),
-    Mutant("AN_END_FORGETS_WHAT_WAITS", "the journal keeps what waits", "once", BULB, {"PRESSES": 1, "ENDS": 1}),
-    Mutant("AN_END_FORGETS_WHAT_IS_IN_PROGRESS", "the journal keeps what is in progress", "once", ROBOT, {"PRESSES": 1, "ENDS": 1}),
-    Mutant("OTHER_MODELS_FORGET_WHAT_WAITS", "a swap takes over what waits", "once", ROBOT, {"PRESSES": 1, "SWAPS": 1}),
-    Mutant("VISITS_ARE_NOT_TOLD_APART", "what a former visit raised is stale", "visit", ROBOT, {"PRESSES": 1, "RAISES": 1}),
+    Mutant("AN_END_FORGETS_WHAT_WAITS", "the journal keeps waiting occurrences", "once", BULB, {"PRESSES": 1, "ENDS": 1}),
+    Mutant("AN_END_FORGETS_WHAT_IS_IN_PROGRESS", "the journal keeps the occurrence in progress", "once", ROBOT, {"PRESSES": 1, "ENDS": 1}),
+    Mutant("OTHER_MODELS_FORGET_WHAT_WAITS", "a swap keeps waiting occurrences", "once", ROBOT, {"PRESSES": 1, "SWAPS": 1}),
+    Mutant("VISITS_ARE_NOT_TOLD_APART", "occurrences of a former visit are stale", "visit", ROBOT, {"PRESSES": 1, "RAISES": 1}),
     Mutant("A_STEP_IS_WRITTEN_DOWN_AFTER_IT_WAS_SENT", "a step is journaled before it is sent", "again", BULB, {"PRESSES": 1, "ENDS": 1}),
-    Mutant("AN_INTERRUPTED_PLAN_IS_MADE_ANEW", "an interrupted plan goes on where it was", "again", BULB, {"PRESSES": 1, "ENDS": 1}),
-    Mutant("AN_OVERTAKEN_STEP_IS_SENT_ALL_THE_SAME", "a plan that the device has overtaken is made anew", "sent", BULB, {"PRESSES": 1, "OWNS": 1}),
+    Mutant("AN_INTERRUPTED_PLAN_IS_MADE_ANEW", "an interrupted plan continues where it stopped", "again", BULB, {"PRESSES": 1, "ENDS": 1}),
+    Mutant("AN_OVERTAKEN_STEP_IS_SENT_ALL_THE_SAME", "an overtaken plan is made again", "sent", BULB, {"PRESSES": 1, "OWNS": 1}),
     Mutant("A_STATE_IS_NOT_ENTERED_AGAIN", "a state that could not be left is entered again", "stuck", ROBOT, {"PRESSES": 1, "FAILS": 1}),
-    Mutant("NOBODY_IS_ASKED_TO_GO_ON", "each step that has had its effect asks for the next", "drains", ROBOT, {"PRESSES": 1}, in_core=False),
-    Mutant("A_SWAP_HAS_NO_DEADLINE", "a swap that has to wait is given up in the end", "swaps", BULB, {"PRESSES": 1, "OWNS": 1, "GIVE_UPS": 1, "SWAPS": 1}, WORST, in_core=False),
+    Mutant("NOBODY_IS_ASKED_TO_GO_ON", "each step that took effect requests the next", "drains", ROBOT, {"PRESSES": 1}, in_core=False),
+    Mutant("A_SWAP_HAS_NO_DEADLINE", "a swap that has to wait is abandoned eventually", "swaps", BULB, {"PRESSES": 1, "OWNS": 1, "GIVE_UPS": 1, "SWAPS": 1}, WORST, in_core=False),
 )  # fmt: skip
 
 PAPER: tuple[tuple[str, Acts], ...] = (

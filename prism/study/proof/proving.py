@@ -25,7 +25,7 @@ class _Task:
 
 
 def prove(results: Path, progress: Progress) -> list[str]:
-    """Writes proof*.csv and the trails' diagrams to `results`; returns what does not hold, which is empty if everything does."""
+    """Writes proof*.csv and the trails' diagrams to `results`; returns the failures."""
     spin.require()
     progress("the design, proved: tables from the model files")
     promela = {pair.key: tables.of(pair) for pair in plan.PAIRS}

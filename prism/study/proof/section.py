@@ -34,11 +34,11 @@ def _what(searches: list[Row]) -> str:
     rows = [(f"`{key}`", text) for key, text in PROPERTIES.items()]
     adapters = "; ".join(f"*{adapter.name}*: {adapter.meaning}" for adapter in ADAPTERS)
     return f"""The specification in `prism/proof` (Promela) has the core's inputs, with the tables of the paper's two pairs as
-`DecisionTable` compiles them from the model files, and a world around it: a device that acts by itself, its adapter, the loop,
-people, functions, timers, crashes, swaps. [docs/proof.md](../../docs/proof.md) says what that rests on. Spin visits every
-interleaving of each scene; nothing is left to bitstate hashing. {len(searches)} searches, {states:,} states: {verdict}
+`DecisionTable` compiles them from the model files, and an environment: a device that acts by itself, its adapter, the loop,
+people, functions, timers, crashes, swaps. [docs/proof.md](../../docs/proof.md) lists the assumptions. Spin visits every
+interleaving of each scene, without bitstate hashing. {len(searches)} searches, {states:,} states: {verdict}
 
-{table(("property", "says"), rows)}
+{table(("property", "meaning"), rows)}
 
 `drains` and `swaps` are about liveness, under weak fairness. Each scene is searched with two kinds of device and adapter. {adapters}."""
 
@@ -49,7 +49,7 @@ def _searches(searches: list[Row]) -> str:
         for pair, adapter, what, scene, states, depth, memory, holds in searches
     ]
     return "### Searches\n\n" + table(
-        ("pair", "adapter", "properties", "what may happen, at most", "states", "depth", "memory", "holds"), rows
+        ("pair", "adapter", "properties", "scene (at most)", "states", "depth", "memory", "holds"), rows
     )
 
 
@@ -67,7 +67,7 @@ def _mutants(mutants: list[Row]) -> str:
     ]
     return f"""### Each property fails without its mechanism
 
-{table(("mechanism taken out", "pair", "what may happen", "fails", "after steps", "story"), rows)}"""
+{table(("removed mechanism", "pair", "scene", "fails", "after steps", "story"), rows)}"""
 
 
 def _paper(paper: list[Row]) -> str:
@@ -77,19 +77,19 @@ def _paper(paper: list[Row]) -> str:
     ]
     return f"""### The paper's mechanism under the same specification
 
-Algorithm 1 and the converter of the paper's listing in the same world, even with the best adapter: one event at a time, what comes
-meanwhile is lost, the original model moves by the incoming event, nothing is kept for the next process.
+Algorithm 1 and the converter of the paper's listing in the same environment, with the best adapter: one event at a time, events that
+arrive meanwhile are lost, the original model moves by the incoming event, and no state survives the process.
 
-{table(("property", "pair", "what may happen", "holds", "fails after steps", "story"), rows)}"""
+{table(("property", "pair", "scene", "holds", "fails after steps", "story"), rows)}"""
 
 
 def _conformance(conformance: list[Row]) -> str:
     rows = [(pair, told, traces, f"{inputs:,}", equal) for pair, told, traces, inputs, equal in conformance]
     return f"""### The code and the specification
 
-Random inputs, in any order, told to the real core (`org.evoloop.core.Core`) and to the specification; after each, all that they
-know is compared: record, doubt, visit, plan, and every occurrence that waits. And runs of the whole converter, with its threads
-and a journal: events of a controller, acts of the device, steps that fail or of which nobody knows the effect, timers, stops, crashes
-and swaps. What the core was told in them, its journal tells.
+The real core (`org.evoloop.core.Core`) and the specification get the same random inputs, in any order; after each, their complete
+states are compared: record, doubt, visit, plan, and every waiting occurrence. The same is done with the inputs in the journals of
+runs of the whole converter, with its threads: events of a controller, actions of the device, steps that fail or whose effect is
+unknown, timers, stops, crashes and swaps.
 
-{table(("pair", "told", "traces", "inputs", "all equal"), rows)}"""
+{table(("pair", "source", "traces", "inputs", "all equal"), rows)}"""

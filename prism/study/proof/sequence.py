@@ -88,7 +88,7 @@ def _lines(trail: str, names: Names, broken: str) -> list[_Line]:
         elif said.startswith("device "):
             device = names.device[int(said.split()[1])]
         elif "START OF CYCLE" in said:
-            lines.append(_Line("converter", "converter", "from here on for ever"))
+            lines.append(_Line("converter", "converter", "repeats forever"))
         else:
             line = _told(said, names)
             if line is not None:
@@ -110,7 +110,7 @@ def _told(said: str, names: Names) -> _Line | None:
     to_converter = {
         "press": ("people", event),
         "raise": ("people", f"{event} of a function{_former(words)}"),
-        "ask": ("people", f"a function asks for {event}{_former(words)}"),
+        "ask": ("people", f"a function requests {event}{_former(words)}"),
         "own": ("device", f"did {event} by itself"),
         "found": ("device", f"is in {names.device.get(number, '')}{' (late)' if words[-1] == '1' else ''}"),
         "sent": ("device", "has obeyed"),
@@ -118,7 +118,7 @@ def _told(said: str, names: Names) -> _Line | None:
     }
     notes = {
         "failed": "a component fails",
-        "given_up": "the component is given up",
+        "given_up": "the component is abandoned",
         "recovered": "the process ends; another one recovers",
         "opened": "started",
         "closing": "stopped",
@@ -140,7 +140,7 @@ def _told(said: str, names: Names) -> _Line | None:
 
 def _answer(words: list[str], names: Names) -> str:
     place = names.device.get(int(words[-1])) if words[-1].isdigit() else None
-    return f"is in {place}" if place else "cannot tell where it is"
+    return f"is in {place}" if place else "does not know its state"
 
 
 def _former(words: list[str]) -> str:

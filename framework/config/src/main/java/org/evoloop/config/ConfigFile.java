@@ -38,6 +38,7 @@ final class ConfigFile {
 
     private final Path file;
     private final Mistakes mistakes;
+    private final StreamReader in;
     private final Iterator<Event> events;
     private final List<Entry> entries = new ArrayList<>();
 
@@ -45,7 +46,8 @@ final class ConfigFile {
         this.file = file;
         this.mistakes = mistakes;
         LoadSettings settings = LoadSettings.builder().build();
-        this.events = new ParserImpl(settings, new StreamReader(settings, text));
+        this.in = new StreamReader(settings, text);
+        this.events = new ParserImpl(settings, in);
     }
 
     /** The entries of the file; errors in its form go to {@code mistakes}. */
@@ -62,6 +64,12 @@ final class ConfigFile {
             mistakes.missSomething();
             Optional<Mark> place = malformed.getProblemMark().or(malformed::getContextMark);
             reader.mistake(place, Syntax.message(malformed.getProblem()));
+        } catch (NumberFormatException cutOff) {
+            // The parser expects hexadecimal digits even where the file ends.
+            mistakes.missSomething();
+            reader.mistake(
+                    reader.in.getMark(),
+                    "the file ends in the middle of an escape (\\u, \\x); write \\\\ for a backslash");
         } catch (YamlEngineException unreadable) {
             mistakes.missSomething();
             mistakes.at(Origin.COMMAND_LINE, file + ": cannot be read as options: " + unreadable.getMessage());

@@ -99,6 +99,8 @@ class ConfigFileTest {
     @CsvSource({
         "'simulate: true\n\tspeed: 3', F:2:, spaces instead of tabs",
         "'simulate: true\nspeed: \"3', F:2:, quotes",
+        "'simulate: true\nport: \"\\u', F:2:, in the middle of an escape",
+        "'simulate: true\nport: \"\\U00110000\"', F:2:, escape",
         "'simulate: true\nport: a: b', F:2:, colon",
         "'simulate: true\nport: [a', F:, bracket",
         "'simulate: true\nport: @a', F:2:, put the value in quotes",

@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
  * Reads a mapping, one rule per line:
  *
  * <pre>
- * # Muting is what Fading was called
+ * # Fading was renamed to Muting
  * state Fading -> Muting
  * device Standby -> Off
  * timer tm(2s) of Fading -> tm(3s)
