@@ -315,6 +315,7 @@ KNOWN = [
         why_not="MODULE and NAME are placeholders for tests that run anyway",
     ),
     typed("./mvnw -pl framework/check -am -Dslow -Dtest=CheckGrowthTest -Dsurefire.failIfNoSpecifiedTests=false test", slow=True),
+    typed("./mvnw -pl framework/page -am -Dslow -Dtest=LitTimeTest -Dsurefire.failIfNoSpecifiedTests=false test", slow=True),
     Known(
         "./mvnw -pl roomba-converter -am -Dslow -Dsurefire.failIfNoSpecifiedTests=false -Dtest=NAME test",
         why_not="its tests are among those of ./evoloop test --slow, which runs this",

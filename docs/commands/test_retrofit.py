@@ -129,6 +129,34 @@ class RetrofitTest(unittest.TestCase):
         )
         models, out = scaffold[1:-1], str(self.project)
         subprocess.run(["java", "-jar", TOOL, *models, out], cwd=ROOT, check=True, capture_output=True, timeout=PATIENCE_S)
+
+    def verify(self, repository: Repository) -> None:
+        said = repository.maven(self.project / "pom.xml", "verify")
+        self.assertRegex(said, re.compile(r"Tests run: \d+, Failures: 0, Errors: 0, Skipped: 0$", re.MULTILINE))
+
+    def try_the_simulated_fan(self) -> None:
+        shown = {
+            "start": "running: original Off, new Off",
+            "press boost": r"new_current_state: High$",
+            "press breeze": r"new_current_state: Breeze$",
+            "device overheat": r"overheat(.*\n)*.*new_current_state: Off$",
+            "history": r"3 .*overheat.*handled",
+            "exit": r"",
+        }
+        (sentence,) = [line for line in GUIDE.splitlines() if line.startswith("Type `start`")]
+        self.assertEqual(re.findall("`(.*?)`", sentence), list(shown))
+        program = self.begin(documented("java -jar target/fan.jar"), cwd=self.project, stdin=subprocess.PIPE)
+        assert program.stdin
+        for typed, expected in shown.items():
+            before = len(self.said(program))
+            program.stdin.write(f"{typed}\n")
+            program.stdin.flush()
+            answered = re.compile(expected, re.MULTILINE)
+            until(f"{typed} shows {expected}", lambda: bool(answered.search(self.said(program)[before:])))
+        self.assertEqual(program.wait(timeout=PATIENCE_S), 0, self.said(program))
+        self.assertNotIn("error:", self.said(program))
+
+    def write_code(self) -> None:
         for source in blocks("java"):
             name = re.findall(r"^(?:final )?class (\w+)", source, re.MULTILINE)[0]
             folder = self.project / "src" / ("test" if name.endswith("Test") else "main") / "java" / "com" / "example" / "fan"
@@ -150,11 +178,13 @@ class RetrofitTest(unittest.TestCase):
                 self.assertEqual(shown, (ROOT / drawn.with_suffix(".svg")).read_bytes())
 
     def test_the_guide_leads_to_a_fan_in_home_assistant(self) -> None:
-        self.make_project()
         repository = Repository(self.folder / "repository")
         repository.install(*SCAFFOLDED, "line")
-        said = repository.maven(self.project / "pom.xml", "verify")
-        self.assertRegex(said, re.compile(r"Tests run: \d+, Failures: 0, Errors: 0, Skipped: 0$", re.MULTILINE))
+        self.make_project()
+        self.verify(repository)
+        self.try_the_simulated_fan()
+        self.write_code()
+        self.verify(repository)
 
         mqtt = free_port()
         settings = self.folder / "mosquitto.conf"

@@ -59,8 +59,9 @@ final class EvolveCommands {
                         .completing(before -> before.isEmpty() ? offered.references() : OPTIONS),
                 ConsoleCommand.of("rollback", "goes back to the models before the last evolve", own::rollBack),
                 ConsoleCommand.of("shadow [FILE#NAME|off] [OPTION...]", """
-                                lets another new model decide the same events, without acting on its decisions; without
-                                FILE: what it would have done differently; takes evolve's options for promote""", own::shadow)
+                                lets another new model decide the same events, without acting on its decisions
+                                without FILE#NAME: shows what it would have decided differently
+                                OPTION: as of evolve, for promote""", own::shadow)
                         .completing(before -> before.isEmpty() ? own.shadows() : OPTIONS),
                 ConsoleCommand.of("promote", "makes the shadow's models take over, as evolve does", own::promote));
     }

@@ -15,6 +15,7 @@ import org.jline.reader.LineReader;
 import org.jline.reader.LineReaderBuilder;
 import org.jline.reader.UserInterruptException;
 import org.jline.terminal.Attributes;
+import org.jline.terminal.Size;
 import org.jline.terminal.Terminal;
 import org.jline.terminal.TerminalBuilder;
 import org.jline.terminal.spi.SystemStream;
@@ -37,6 +38,7 @@ final class TerminalIo implements ConsoleIo {
 
     private static final long KEYS_APART_MILLIS = 20;
     private static final int NARROWEST = 20;
+    private static final int USUAL_HEIGHT = 24;
 
     private final Terminal terminal;
     private final LineReader reader;
@@ -88,6 +90,10 @@ final class TerminalIo implements ConsoleIo {
             if (terminal.getType().startsWith(Terminal.TYPE_DUMB)) {
                 terminal.close();
                 return null;
+            }
+            if (terminal.getColumns() <= 0 || terminal.getRows() <= 0) {
+                // A serial console, for example, does not know its size. JLine would not even show the prompt.
+                terminal.setSize(Size.of(Wrapping.USUAL_WIDTH, USUAL_HEIGHT));
             }
             boolean showsErrors = terminal instanceof TerminalExt system
                     && system.getProvider().isSystemStream(SystemStream.Error);

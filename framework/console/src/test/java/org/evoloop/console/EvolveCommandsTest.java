@@ -52,6 +52,13 @@ class EvolveCommandsTest {
     }
 
     @Test
+    void theListOfCommandsHasAWholeSentenceForEach() {
+        run("help");
+        assertThat(String.join(" ", out.lines()).replaceAll(" +", " "))
+                .contains("two events rollback", "without acting on its decisions promote makes");
+    }
+
+    @Test
     void whatFitsTheDeviceIsOfferedAndChosen() {
         Console console = new Console(lamp.converter, InputStream.nullInputStream(), out.stream, err.stream);
         console.evolvesBy(NewModels.offering(

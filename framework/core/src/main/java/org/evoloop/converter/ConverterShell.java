@@ -93,7 +93,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
     }
 
     /**
-     * Lets other knowledge take over.
+     * Lets other knowledge take over; the caller notifies the listeners.
      *
      * @param idle how long nothing must have happened before
      * @param monitors that report events by name
@@ -106,7 +106,6 @@ final class ConverterShell implements LoopListener<Occurrence> {
         if (done == null) {
             throw new EvolutionException("an event is in progress");
         }
-        books.listeners().evolved(done);
         return done;
     }
 

@@ -239,6 +239,8 @@ final class Evolver {
             } else if (evolution.needsWayBack()) {
                 lead(ready.present());
             }
+            // Only now: a listener may read the status, which shows the way back and the probation.
+            shell.books.listeners().evolved(result);
         }
 
         /** Opens the way back to {@code previous}, and begins the trial if there is to be one. */

@@ -3,18 +3,21 @@ package org.evoloop.http;
 import com.sun.net.httpserver.HttpExchange;
 import com.sun.net.httpserver.HttpServer;
 import java.io.IOException;
+import java.io.InputStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ProtocolException;
 import java.net.UnknownHostException;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.Map;
-import java.util.concurrent.SynchronousQueue;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.Properties;
+import java.util.TreeSet;
 import java.util.function.Consumer;
 import org.evoloop.evolution.Values;
+import org.evoloop.time.Clock;
+import org.evoloop.time.RequestThreads;
+import org.evoloop.time.SystemClock;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -27,8 +30,7 @@ final class RequestServer implements AutoCloseable {
     static final int MOST_REQUESTS = 8;
 
     private static final Logger LOG = LoggerFactory.getLogger(HttpMonitor.class);
-    private static final int IDLE_SECONDS = 5;
-    private static final int LONGEST_PATH = 100;
+    private static final int REQUEST_SECONDS = 10;
     private static final int NO_CONTENT = 204;
     private static final int BAD_REQUEST = 400;
     private static final int NO_TOKEN = 401;
@@ -39,13 +41,10 @@ final class RequestServer implements AutoCloseable {
     private final Door door;
     private final Map<String, Consumer<Values>> requests;
     private final HttpServer server;
-    private final AtomicBoolean malformedReported = new AtomicBoolean();
-    private final ThreadPoolExecutor threads =
-            new ThreadPoolExecutor(0, MOST_REQUESTS, IDLE_SECONDS, TimeUnit.SECONDS, new SynchronousQueue<>(), task -> {
-                Thread thread = new Thread(task, "evoloop-http");
-                thread.setDaemon(true);
-                return thread;
-            });
+    private final RequestFaults faults = new RequestFaults();
+    private final Clock clock = new SystemClock();
+    private final RequestThreads threads =
+            new RequestThreads("evoloop-http", MOST_REQUESTS, Duration.ofSeconds(REQUEST_SECONDS), clock);
 
     private RequestServer(Door door, HttpServer server, Map<String, Consumer<Values>> requests) {
         this.door = door;
@@ -57,10 +56,12 @@ final class RequestServer implements AutoCloseable {
 
     static RequestServer open(Door door, int port, Map<String, Consumer<Values>> requests) throws IOException {
         // The JDK's server reads these once, before it serves for the first time; the live page sets the same values.
-        unlessSet("sun.net.httpserver.nodelay", "true");
-        unlessSet("sun.net.httpserver.maxReqTime", "10");
-        unlessSet("sun.net.httpserver.clockTick", "1000");
-        unlessSet("jdk.httpserver.maxConnections", "64");
+        Properties settings = System.getProperties();
+        settings.putIfAbsent("sun.net.httpserver.nodelay", "true");
+        // How long a request may take is not among them: the server would need a thread for that, all the time.
+        settings.putIfAbsent("sun.net.httpserver.idleInterval", Integer.toString(REQUEST_SECONDS));
+        settings.putIfAbsent("sun.net.httpserver.clockTick", "1000");
+        settings.putIfAbsent("jdk.httpserver.maxConnections", "64");
         try {
             InetSocketAddress address = new InetSocketAddress(InetAddress.getByName(door.host()), port);
             RequestServer opened = new RequestServer(door, HttpServer.create(address, 0), requests);
@@ -77,18 +78,17 @@ final class RequestServer implements AutoCloseable {
         }
     }
 
-    private static void unlessSet(String property, String value) {
-        if (System.getProperty(property) == null) {
-            System.setProperty(property, value);
-        }
-    }
-
     int port() {
         return server.getAddress().getPort();
     }
 
+    /**
+     * The JDK's server counts a connection until it has sent an answer on it, or this throws an exception. It would
+     * count forever one that an exchange closes because the rest of its request cannot be read.
+     */
     private void handle(HttpExchange exchange) throws IOException {
         try (exchange) {
+            InputStream request = exchange.getRequestBody();
             try {
                 letIn(exchange);
             } catch (IllegalArgumentException wrong) {
@@ -96,28 +96,13 @@ final class RequestServer implements AutoCloseable {
             } catch (IllegalStateException stopped) {
                 answer(exchange, REFUSED, String.valueOf(stopped.getMessage()));
             }
+            RequestValues.skipRest(request);
         } catch (ProtocolException malformed) {
-            String path = exchange.getRequestURI().getPath();
-            warnOnce(
-                    exchange.getRequestMethod() + " " + path.substring(0, Math.min(path.length(), LONGEST_PATH)),
-                    malformed);
+            faults.malformed(exchange, malformed);
+            throw malformed;
         } catch (RuntimeException failure) {
-            LOG.warn(
-                    "the request {} could not be handled",
-                    exchange.getRequestURI().getPath(),
-                    failure);
-        }
-    }
-
-    /** A client that keeps sending such requests must not fill the log. */
-    private void warnOnce(String request, ProtocolException malformed) {
-        if (malformedReported.compareAndSet(false, true)) {
-            LOG.warn(
-                    "a client's request {} is malformed: {}; further ones are not reported",
-                    request,
-                    malformed.getMessage());
-        } else {
-            LOG.debug("request {} is malformed", request, malformed);
+            faults.failed(exchange, failure);
+            throw failure;
         }
     }
 
@@ -130,12 +115,7 @@ final class RequestServer implements AutoCloseable {
             exchange.getResponseHeaders().set("WWW-Authenticate", "Bearer");
             answer(exchange, NO_TOKEN, "a token is needed, as Authorization: Bearer TOKEN");
         } else if (handler == null) {
-            answer(
-                    exchange,
-                    NOT_FOUND,
-                    "known are: "
-                            + String.join(
-                                    ", ", requests.keySet().stream().sorted().toList()));
+            answer(exchange, NOT_FOUND, "known are: " + String.join(", ", new TreeSet<>(requests.keySet())));
         } else {
             handler.accept(RequestValues.of(exchange));
             exchange.sendResponseHeaders(NO_CONTENT, -1);
@@ -145,14 +125,19 @@ final class RequestServer implements AutoCloseable {
     private static void answer(HttpExchange exchange, int status, String text) throws IOException {
         byte[] body = (text + "\n").getBytes(StandardCharsets.UTF_8);
         exchange.getResponseHeaders().set("Content-Type", "text/plain; charset=utf-8");
-        exchange.sendResponseHeaders(status, body.length);
-        exchange.getResponseBody().write(body);
+        // The JDK's server would log a warning about a body to a HEAD request.
+        boolean bodiless = exchange.getRequestMethod().equals("HEAD");
+        exchange.sendResponseHeaders(status, bodiless ? -1 : body.length);
+        if (!bodiless) {
+            exchange.getResponseBody().write(body);
+        }
     }
 
     /** Idempotent. */
     @Override
     public void close() {
         server.stop(0);
-        threads.shutdownNow();
+        threads.close();
+        clock.close();
     }
 }

@@ -2,6 +2,7 @@ package org.evoloop.http;
 
 import com.sun.net.httpserver.HttpExchange;
 import java.io.IOException;
+import java.io.InputStream;
 import java.net.ProtocolException;
 import java.net.URLDecoder;
 import java.nio.ByteBuffer;
@@ -38,9 +39,22 @@ final class RequestValues {
         try {
             return exchange.getRequestBody().readNBytes(LONGEST_BODY + 1);
         } catch (RuntimeException impossible) {
-            // The JDK's server does not check the lengths of chunks before it uses them.
-            throw (IOException) new ProtocolException("the length of a chunk is impossible").initCause(impossible);
+            throw impossibleChunk(impossible);
         }
+    }
+
+    /** Reads what is left of a request. */
+    static void skipRest(InputStream request) throws IOException {
+        try {
+            request.close();
+        } catch (RuntimeException impossible) {
+            throw impossibleChunk(impossible);
+        }
+    }
+
+    /** The JDK's server does not check the lengths of chunks before it uses them. */
+    private static IOException impossibleChunk(RuntimeException impossible) {
+        return (IOException) new ProtocolException("the length of a chunk is impossible").initCause(impossible);
     }
 
     private static String decoded(String text) {

@@ -14,7 +14,7 @@ class ArchitectureTest {
     @ArchTest
     static final ArchRule theServerIsInOnePlace = noClasses()
             .that()
-            .haveNameNotMatching(".*\\.(RequestServer|RequestValues|Door)(\\$.*)?")
+            .haveNameNotMatching(".*\\.(RequestServer|RequestValues|RequestFaults|Door)(\\$.*)?")
             .should()
             .dependOnClassesThat()
             .resideInAnyPackage("com.sun.net.httpserver..");

@@ -24,6 +24,7 @@ import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import org.awaitility.Awaitility;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;
@@ -31,6 +32,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.slf4j.LoggerFactory;
 
 /** Requests of a real client, and of misbehaving ones. */
@@ -192,28 +195,68 @@ class HttpMonitorTest {
         }
     }
 
-    @Test
-    void endlessRequestsAreClosedAndDoNotBlockOthers() throws Exception {
-        List<Socket> slow = new ArrayList<>();
-        for (int i = 0; i < 40; i++) {
-            Socket socket = new Socket(InetAddress.getLoopbackAddress(), monitor.port());
-            socket.getOutputStream()
-                    .write("POST /switch HTTP/1.1\r\nHost: lamp\r\nContent-Length: 5\r\n\r\nab"
-                            .getBytes(StandardCharsets.US_ASCII));
-            slow.add(socket);
-        }
-        long threads = Thread.getAllStackTraces().keySet().stream()
+    private Socket begin(String request) throws IOException {
+        Socket socket = new Socket(InetAddress.getLoopbackAddress(), monitor.port());
+        socket.setSoTimeout(60_000);
+        socket.getOutputStream().write(request.getBytes(StandardCharsets.US_ASCII));
+        return socket;
+    }
+
+    private static long threads() {
+        return Thread.getAllStackTraces().keySet().stream()
                 .filter(thread -> thread.getName().equals("evoloop-http"))
                 .count();
-        assertThat(threads).isBetween(0L, (long) RequestServer.MOST_REQUESTS);
-        for (Socket socket : slow) {
-            socket.setSoTimeout(60_000);
-            InputStream answer = socket.getInputStream();
-            requireHungUp(answer);
-            socket.close();
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "POST /switch HTTP/1.1\r\nHost: la",
+                "POST /switch HTTP/1.1\r\nHost: lamp\r\nContent-Length: 5\r\n\r\nab"
+            })
+    void halfRequestsHoldFewThreadsForALimitedTime(String half) throws Exception {
+        List<Socket> slow = new ArrayList<>();
+        try {
+            for (int i = 0; i < 300; i++) {
+                try {
+                    slow.add(begin(half));
+                } catch (SocketException hungUp) {
+                    // As expected.
+                }
+                assertThat(threads()).isLessThanOrEqualTo(RequestServer.MOST_REQUESTS);
+            }
+            for (Socket socket : slow) {
+                requireHungUp(socket.getInputStream());
+            }
+        } finally {
+            for (Socket socket : slow) {
+                socket.close();
+            }
         }
         assertThat(sent).isEmpty();
         assertThat(status(to("/switch").POST(body("")))).isEqualTo(204);
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "POST /switch HTTP/1.1\r\nContent-Length: 5\r\n\r\nab",
+                "POST /nowhere HTTP/1.1\r\nHost: lamp\r\nContent-Length: 5\r\n\r\nab",
+                "POST /nowhere HTTP/1.1\r\nHost: lamp\r\nTransfer-Encoding: chunked\r\n\r\nFFFFFFFF\r\n"
+            })
+    void requestsThatBreakOffUseUpNoConnections(String request) throws Exception {
+        // More than there may be connections.
+        for (int i = 0; i < 100; i++) {
+            try (Socket socket = begin(request)) {
+                socket.shutdownOutput();
+                socket.getInputStream().readAllBytes();
+            } catch (SocketException hungUp) {
+                // As expected.
+            }
+        }
+        Awaitility.await()
+                .ignoreExceptionsInstanceOf(IOException.class)
+                .until(() -> status(to("/switch").POST(body(""))) == 204);
     }
 
     /** The connection is closed, in whatever way; reading would throw after a minute. */

@@ -18,7 +18,8 @@ import org.slf4j.LoggerFactory;
  * The cable as a serial port: a USB adapter, the Raspberry Pi's own UART, or the simulator's pseudo-terminal.
  *
  * <p>The port is locked against other programs. Bytes received before it was opened are dropped. {@link #close} waits
- * until the line has been silent for 100 ms, so that the last command arrives.
+ * until the driver has no bytes left and the line has been silent for 100 ms, so that the last command arrives, but no
+ * longer than 2 s.
  *
  * <p>Threading: {@link #receive} waits inside the operating system. A daemon thread named {@code
  * evoloop-serial-<port>-guard}, which ends with the link, monitors writes. A peer that accepts no bytes blocks {@link
@@ -44,13 +45,27 @@ public final class SerialLink implements Link {
     private final AtomicBoolean closing = new AtomicBoolean();
     private final AtomicReference<@Nullable LinkException> end = new AtomicReference<>();
     private final CountDownLatch released = new CountDownLatch(1);
-    private final Object wakeLineLock = new Object();
+
+    /** Held during a call on the port that is neither a read nor a write, and while the port is closed. */
+    private final Object portLock = new Object();
 
     private SerialLink(SerialPort port, SerialSettings settings) {
         this.port = port;
         this.settings = settings;
         this.writer = new SerialWriter(
-                bytes -> port.writeBytes(bytes, bytes.length),
+                new SerialWriter.Port() {
+                    @Override
+                    public int write(byte[] bytes) {
+                        return port.writeBytes(bytes, bytes.length);
+                    }
+
+                    @Override
+                    public int waiting() {
+                        synchronized (portLock) {
+                            return end.get() == null ? port.bytesAwaitingWrite() : 0;
+                        }
+                    }
+                },
                 settings,
                 () -> {
                     end(SerialFaults.notReading(settings));
@@ -124,7 +139,7 @@ public final class SerialLink implements Link {
     @Override
     public WakeLine wakeLine() {
         return low -> {
-            synchronized (wakeLineLock) {
+            synchronized (portLock) {
                 return end.get() == null && settings.wakeSignal().drive(port, low);
             }
         };
@@ -149,7 +164,8 @@ public final class SerialLink implements Link {
     @Override
     public void close() {
         if (closing.compareAndSet(false, true)) {
-            awaitSilence();
+            writer.finish();
+            writer.awaitSilence(LONGEST_SILENCE_WAIT_NANOS, nanos -> released.await(nanos, NANOSECONDS));
             end(SerialFaults.closed(settings));
         }
         if (!BoundedWait.uninterruptibly(READER_END_LIMIT_NANOS, nanos -> reading.tryLock(nanos, NANOSECONDS))) {
@@ -163,16 +179,6 @@ public final class SerialLink implements Link {
         }
     }
 
-    /** Waits for writes in progress, and until their bytes have left. Stops waiting if the link ends. */
-    private void awaitSilence() {
-        writer.finish();
-        long wait = writer.closableNanoTime() - System.nanoTime();
-        if (wait > 0) {
-            BoundedWait.uninterruptibly(
-                    Math.min(wait, LONGEST_SILENCE_WAIT_NANOS), nanos -> released.await(nanos, NANOSECONDS));
-        }
-    }
-
     /**
      * Closes the port, after the last write has ended. If jSerialComm were inside a call on a port that is being
      * closed, it would touch memory and file descriptors that belong to others. The caller makes sure that nobody
@@ -183,7 +189,7 @@ public final class SerialLink implements Link {
             return;
         }
         if (writer.end(WRITER_END_LIMIT_NANOS)) {
-            synchronized (wakeLineLock) {
+            synchronized (portLock) {
                 settings.wakeSignal().drive(port, false);
                 port.closePort();
             }

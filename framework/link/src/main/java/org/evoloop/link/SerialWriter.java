@@ -5,7 +5,6 @@ import static java.util.concurrent.TimeUnit.NANOSECONDS;
 
 import java.util.Arrays;
 import java.util.concurrent.locks.ReentrantLock;
-import java.util.function.ToIntFunction;
 
 /**
  * Writes on the caller's thread, since waking another thread takes longer than everything else a command needs. A
@@ -26,7 +25,10 @@ final class SerialWriter {
      */
     private static final long SILENCE_NANOS = 100_000_000;
 
-    private final ToIntFunction<byte[]> port;
+    /** How often the driver is asked whether it has bytes left. */
+    private static final long LOOK_NANOS = 5_000_000;
+
+    private final Port port;
     private final SerialSettings settings;
     private final WriteGuard guard;
     private final ReentrantLock turn = new ReentrantLock(true);
@@ -37,6 +39,15 @@ final class SerialWriter {
 
     private volatile long closableNanoTime = System.nanoTime();
 
+    /** The driver of the port. */
+    interface Port {
+        /** Returns how many of the bytes it has accepted. */
+        int write(byte[] bytes);
+
+        /** How many accepted bytes have not left yet, as far as the driver knows; 0 or less if it does not know. */
+        int waiting();
+    }
+
     enum Outcome {
         WRITTEN,
         REFUSED,
@@ -46,10 +57,9 @@ final class SerialWriter {
     /**
      * Writes after {@link #start}.
      *
-     * @param port writes bytes and returns how many it has accepted
      * @param cutShort makes the port return from a write that is late, see {@link WriteGuard}
      */
-    SerialWriter(ToIntFunction<byte[]> port, SerialSettings settings, Runnable cutShort, String guardName) {
+    SerialWriter(Port port, SerialSettings settings, Runnable cutShort, String guardName) {
         this.port = port;
         this.settings = settings;
         this.guard = new WriteGuard(limitNanos(0), cutShort, guardName);
@@ -100,7 +110,7 @@ final class SerialWriter {
         for (int start = 0; start < bytes.length; start += CHUNK_BYTES) {
             int end = Math.min(start + CHUNK_BYTES, bytes.length);
             byte[] chunk = end == bytes.length && start == 0 ? bytes : Arrays.copyOfRange(bytes, start, end);
-            if (ending || guard.isLate() || port.applyAsInt(chunk) != chunk.length) {
+            if (ending || guard.isLate() || port.write(chunk) != chunk.length) {
                 return Outcome.REFUSED;
             }
             long now = System.nanoTime();
@@ -111,9 +121,26 @@ final class SerialWriter {
         return Outcome.WRITTEN;
     }
 
-    /** The earliest time at which the port can be closed without losing data, by {@link System#nanoTime()}. */
-    long closableNanoTime() {
-        return closableNanoTime;
+    /**
+     * Waits until the driver has no bytes left and the line has been silent, so that closing the port loses none. How
+     * long bytes take is only estimated, so the driver is asked, too.
+     *
+     * @param limitNanos for drivers whose bytes never leave
+     * @param ended a wait that is over when the link has ended, after which no bytes can leave
+     */
+    void awaitSilence(long limitNanos, BoundedWait.Attempt ended) {
+        long deadline = System.nanoTime() + limitNanos;
+        boolean over = false;
+        for (long now = System.nanoTime(); !over && now < deadline; now = System.nanoTime()) {
+            boolean waiting = port.waiting() > 0;
+            if (waiting) {
+                closableNanoTime = Math.max(closableNanoTime, now + SILENCE_NANOS);
+            } else if (now >= closableNanoTime) {
+                return;
+            }
+            long pause = waiting ? LOOK_NANOS : Math.min(closableNanoTime, deadline) - now;
+            over = BoundedWait.uninterruptibly(pause, ended);
+        }
     }
 
     /**

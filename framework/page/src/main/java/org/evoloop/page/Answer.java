@@ -38,8 +38,12 @@ final class Answer {
 
     static void send(HttpExchange exchange, int status, String mediaType, byte[] body) throws IOException {
         headers(exchange, mediaType);
-        exchange.sendResponseHeaders(status, body.length == 0 ? -1 : body.length);
-        exchange.getResponseBody().write(body);
+        // The JDK's server would log a warning about a body to a HEAD request.
+        boolean bodiless = body.length == 0 || exchange.getRequestMethod().equals("HEAD");
+        exchange.sendResponseHeaders(status, bodiless ? -1 : body.length);
+        if (!bodiless) {
+            exchange.getResponseBody().write(body);
+        }
     }
 
     static void text(HttpExchange exchange, int status, String text) throws IOException {

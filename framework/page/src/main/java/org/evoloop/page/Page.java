@@ -38,7 +38,6 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public final class Page implements AutoCloseable {
-    private static final int LONGEST_REQUEST = 4096;
     private static final int HISTORY_PAGE = 500;
 
     /** The number of newest differences of a shadow that are shown. */
@@ -97,7 +96,7 @@ public final class Page implements AutoCloseable {
         file(to, "/page.css", "page.css", "text/css; charset=utf-8");
         file(to, "/icon.svg", "icon.svg", "image/svg+xml");
         Broadcast broadcast = new Broadcast(converter, clock);
-        to.onStream("/events", exchange -> new Stream(broadcast, to.deadlines(), clock).serve(exchange));
+        to.onStream("/events", exchange -> new Stream(broadcast, to.threads(), clock).serve(exchange));
         to.on("GET", "/about", exchange -> Answer.json(exchange, about()));
         to.on("GET", "/history", this::history);
         to.on("GET", "/shadow", this::shadow);
@@ -227,8 +226,7 @@ public final class Page implements AutoCloseable {
     }
 
     private void session(PageServer from, HttpExchange exchange) throws IOException {
-        String claimed = body(exchange);
-        String cookie = claimed == null ? null : from.gate().admit(claimed.strip());
+        String cookie = from.gate().admit(body(exchange).strip());
         if (cookie == null) {
             notAdmitted(exchange);
         } else {
@@ -241,8 +239,6 @@ public final class Page implements AutoCloseable {
         String line = body(exchange);
         if (!from.gate().isAdmitted(exchange)) {
             notAdmitted(exchange);
-        } else if (line == null) {
-            Answer.text(exchange, Answer.TOO_LARGE, "a command has at most " + LONGEST_REQUEST + " bytes");
         } else if (line.isBlank() || console.isEnding()) {
             Answer.text(exchange, Answer.BAD_REQUEST, "there is no command, or the program is about to end");
         } else {
@@ -250,10 +246,8 @@ public final class Page implements AutoCloseable {
         }
     }
 
-    /** Null if it is too long. */
-    private static @Nullable String body(HttpExchange exchange) throws IOException {
-        byte[] bytes = exchange.getRequestBody().readNBytes(LONGEST_REQUEST + 1);
-        return bytes.length > LONGEST_REQUEST ? null : new String(bytes, StandardCharsets.UTF_8);
+    private static String body(HttpExchange exchange) throws IOException {
+        return new String(exchange.getRequestBody().readAllBytes(), StandardCharsets.UTF_8);
     }
 
     /** The address, for tests. */

@@ -3,16 +3,20 @@ package org.evoloop.page;
 import com.sun.net.httpserver.HttpExchange;
 import com.sun.net.httpserver.HttpHandler;
 import com.sun.net.httpserver.HttpServer;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.InterruptedIOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
 import java.time.Duration;
+import java.util.Properties;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Semaphore;
-import java.util.concurrent.SynchronousQueue;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
 import org.evoloop.time.Clock;
+import org.evoloop.time.RequestThreads;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -22,27 +26,22 @@ import org.slf4j.LoggerFactory;
  * of a client that does not take its answer.
  *
  * <p>Threading: thread-safe. Each request has a thread while it is handled; without requests, there are only the
- * waiting threads of the JDK's server.
+ * two waiting threads of the JDK's server.
  */
 final class PageServer implements AutoCloseable {
     static final int MOST_VIEWERS = 16;
     static final int MOST_REQUESTS = 16;
 
+    private static final int LONGEST_REQUEST = 4096;
     private static final int REQUEST_SECONDS = 10;
     private static final Duration ANSWER_LIMIT = Duration.ofSeconds(30);
-    private static final int IDLE_SECONDS = 5;
     private static final Logger LOG = LoggerFactory.getLogger(PageServer.class);
 
     private final HttpServer server;
     private final Gate gate;
-    private final Deadlines deadlines;
+    private final RequestThreads threads;
     private final Semaphore seats = new Semaphore(MOST_VIEWERS);
-    private final ThreadPoolExecutor threads = new ThreadPoolExecutor(
-            0, MOST_VIEWERS + MOST_REQUESTS, IDLE_SECONDS, TimeUnit.SECONDS, new SynchronousQueue<>(), task -> {
-                Thread thread = new Thread(task, "evoloop-page");
-                thread.setDaemon(true);
-                return thread;
-            });
+    private final Set<String> failed = ConcurrentHashMap.newKeySet();
 
     /** Handles a request that the gate has admitted. */
     interface Handler {
@@ -51,12 +50,15 @@ final class PageServer implements AutoCloseable {
 
     /** @throws IOException if the address cannot be used; the message says what to do */
     PageServer(PageOptions options, Clock clock) throws IOException {
-        // The JDK's server reads this once, before it first serves.
-        unlessSet("sun.net.httpserver.nodelay", "true");
-        unlessSet("sun.net.httpserver.maxReqTime", Integer.toString(REQUEST_SECONDS));
-        unlessSet("sun.net.httpserver.clockTick", "1000");
-        unlessSet("jdk.httpserver.maxConnections", "64");
-        this.deadlines = new Deadlines(clock);
+        // The JDK's server reads this once, before it first serves. How long a request may take is not among it, since
+        // the server would need another thread for that, all the time.
+        Properties settings = System.getProperties();
+        settings.putIfAbsent("sun.net.httpserver.nodelay", "true");
+        settings.putIfAbsent("sun.net.httpserver.idleInterval", Integer.toString(REQUEST_SECONDS));
+        settings.putIfAbsent("sun.net.httpserver.clockTick", "1000");
+        settings.putIfAbsent("jdk.httpserver.maxConnections", "64");
+        threads = new RequestThreads(
+                "evoloop-page", MOST_VIEWERS + MOST_REQUESTS, Duration.ofSeconds(REQUEST_SECONDS), clock);
         try {
             InetAddress address = InetAddress.getByName(options.host());
             server = HttpServer.create(new InetSocketAddress(address, options.port()), 0);
@@ -74,12 +76,6 @@ final class PageServer implements AutoCloseable {
         server.setExecutor(threads);
     }
 
-    private static void unlessSet(String property, String value) {
-        if (System.getProperty(property) == null) {
-            System.setProperty(property, value);
-        }
-    }
-
     int port() {
         return server.getAddress().getPort();
     }
@@ -88,13 +84,8 @@ final class PageServer implements AutoCloseable {
         return gate;
     }
 
-    Deadlines deadlines() {
-        return deadlines;
-    }
-
-    /** The number of threads that handle requests. */
-    int threads() {
-        return threads.getActiveCount();
+    RequestThreads threads() {
+        return threads;
     }
 
     /** Sets the handler of {@code method} requests for exactly {@code path}. */
@@ -109,7 +100,7 @@ final class PageServer implements AutoCloseable {
                 exchange.getResponseHeaders().set("Allow", method);
                 Answer.text(exchange, Answer.OTHER_METHOD, "only " + method + " is understood");
             } else {
-                limited(exchange, handler);
+                handle(exchange, handler);
             }
         });
     }
@@ -122,39 +113,64 @@ final class PageServer implements AutoCloseable {
                 return;
             }
             try {
-                handler.handle(exchange);
-            } catch (InterruptedException hungUp) {
-                LOG.debug("a slow viewer was disconnected", hungUp);
+                handle(exchange, handler);
             } finally {
                 seats.release();
             }
         });
     }
 
-    private void limited(HttpExchange exchange, Handler handler) throws IOException {
-        deadlines.begin(ANSWER_LIMIT);
+    private static void handle(HttpExchange exchange, Handler handler) throws IOException {
         try {
             handler.handle(exchange);
-        } catch (InterruptedException hungUp) {
-            LOG.debug("a request took too long", hungUp);
-        } finally {
-            deadlines.end();
+        } catch (InterruptedException late) {
+            Thread.currentThread().interrupt();
+            throw new InterruptedIOException("it took too long");
         }
     }
 
+    /**
+     * Sets the handler of requests that the gate has admitted. They have been read.
+     *
+     * <p>The JDK's server counts a connection until it has sent an answer on it, or this throws an exception. It would
+     * count forever one that an exchange closes because the rest of its request cannot be read.
+     */
     private void serve(String path, HttpHandler handler) {
         server.createContext(path, exchange -> {
             try (exchange) {
+                InputStream request = exchange.getRequestBody();
+                byte[] body = request.readNBytes(LONGEST_REQUEST + 1);
                 String objection = gate.objection(exchange);
                 if (objection != null) {
                     Answer.text(exchange, Answer.TURNED_AWAY, objection);
+                } else if (body.length > LONGEST_REQUEST) {
+                    Answer.text(exchange, Answer.TOO_LARGE, "a request has at most " + LONGEST_REQUEST + " bytes");
                 } else {
-                    handler.handle(exchange);
+                    threads.limit(ANSWER_LIMIT);
+                    exchange.setStreams(new ByteArrayInputStream(body), null);
+                    answer(exchange, path, handler);
                 }
-            } catch (RuntimeException failure) {
-                LOG.warn("the page cannot answer {}", exchange.getRequestURI().getPath(), failure);
+                request.close();
             }
         });
+    }
+
+    private void answer(HttpExchange exchange, String path, HttpHandler handler) throws IOException {
+        try {
+            handler.handle(exchange);
+        } catch (RuntimeException failure) {
+            report(path, failure);
+            throw failure;
+        }
+    }
+
+    /** The browser asks again and again, which must not fill the log. */
+    private void report(String path, RuntimeException failure) {
+        if (failed.add(path)) {
+            LOG.warn("the page cannot answer {}; further failures of it are not reported", path, failure);
+        } else {
+            LOG.debug("the page cannot answer {}", path, failure);
+        }
     }
 
     void start() {
@@ -164,8 +180,7 @@ final class PageServer implements AutoCloseable {
     /** Closes all connections and frees the port. Idempotent. */
     @Override
     public void close() {
-        deadlines.close();
         server.stop(0);
-        threads.shutdownNow();
+        threads.close();
     }
 }

@@ -6,6 +6,7 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import org.evoloop.time.Clock;
+import org.evoloop.time.RequestThreads;
 
 /**
  * One viewer: server-sent events, each with the newest status and the events that have ended since the last one. A
@@ -19,12 +20,12 @@ final class Stream {
     private static final Duration TO_BE_HEARD = Duration.ofSeconds(3);
 
     private final Broadcast broadcast;
-    private final Deadlines deadlines;
+    private final RequestThreads threads;
     private final Clock clock;
 
-    Stream(Broadcast broadcast, Deadlines deadlines, Clock clock) {
+    Stream(Broadcast broadcast, RequestThreads threads, Clock clock) {
         this.broadcast = broadcast;
-        this.deadlines = deadlines;
+        this.threads = threads;
         this.clock = clock;
     }
 
@@ -33,8 +34,9 @@ final class Stream {
         Answer.headers(exchange, "text/event-stream");
         exchange.sendResponseHeaders(Answer.OK, 0);
         broadcast.join();
-        try {
-            stream(exchange.getResponseBody());
+        // Closing the exchange would close the body, too, but hide it if that fails.
+        try (OutputStream body = exchange.getResponseBody()) {
+            stream(body);
         } finally {
             broadcast.leave();
         }
@@ -57,15 +59,13 @@ final class Stream {
             before = update.status();
             update = broadcast.after(update.number(), update.last());
         }
+        threads.limit(TO_TAKE_ONE);
     }
 
     private void write(OutputStream body, String text) throws IOException {
-        deadlines.begin(TO_TAKE_ONE);
-        try {
-            body.write(text.getBytes(StandardCharsets.UTF_8));
-            body.flush();
-        } finally {
-            deadlines.end();
-        }
+        threads.limit(TO_TAKE_ONE);
+        body.write(text.getBytes(StandardCharsets.UTF_8));
+        body.flush();
+        threads.unlimited();
     }
 }

@@ -138,6 +138,9 @@ class GateTest {
         assertThat(ask("DELETE", "/about", "", "Host: " + own(), "Origin: http://" + own()))
                 .startsWith("HTTP/1.1 405")
                 .contains("Allow: GET");
+        assertThat(ask("HEAD", "/about", "", "Host: " + own(), "Origin: http://" + own()))
+                .startsWith("HTTP/1.1 405")
+                .endsWith("\r\n\r\n");
         assertThat(ask("GET", "/picture?number=9", "", "Host: " + own())).startsWith("HTTP/1.1 404");
         assertThat(ask("GET", "/history?before=x", "", "Host: " + own())).startsWith("HTTP/1.1 200");
     }

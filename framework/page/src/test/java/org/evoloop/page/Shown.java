@@ -32,7 +32,7 @@ import org.evoloop.time.SystemClock;
 /** The converter of the paper's cleaning robot, without a robot, and its page. */
 final class Shown implements AutoCloseable {
     private final SystemClock clock = new SystemClock();
-    final PushMonitor panel = new PushMonitor("Panel");
+    final Panel panel = new Panel();
     final SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("robot", clock));
     final Console console;
     final Page page;
@@ -82,6 +82,17 @@ final class Shown implements AutoCloseable {
         page = Page.open(
                 PageOptions.at("0"), console, new PrintStream(printed, true, StandardCharsets.UTF_8), pictures);
         token = printed.toString(StandardCharsets.UTF_8).replaceFirst("(?s).*#token=(\\S+).*", "$1");
+    }
+
+    /** The buttons, and what the robot does by itself. */
+    static final class Panel extends PushMonitor {
+        Panel() {
+            super("Panel");
+        }
+
+        void acts(String event) {
+            push(fromDevice(event));
+        }
     }
 
     private static final class Robot extends StateKnowledge {

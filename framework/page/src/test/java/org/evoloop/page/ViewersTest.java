@@ -2,6 +2,10 @@ package org.evoloop.page;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import ch.qos.logback.classic.Level;
+import ch.qos.logback.classic.Logger;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.read.ListAppender;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
@@ -11,11 +15,15 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import org.awaitility.Awaitility;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.slf4j.LoggerFactory;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -156,6 +164,68 @@ class ViewersTest {
         }
         assertThat(ask("GET /about HTTP/1.1\r\nHost: localhost\r\n\r\n").lines.readLine())
                 .isEqualTo("HTTP/1.1 200 OK");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"Content-Length: 5\r\n\r\nab", "Transfer-Encoding: chunked\r\n\r\nno length\r\n"})
+    void requestsThatBreakOffUseUpNoConnections(String rest) throws IOException {
+        // More than there may be connections.
+        for (int i = 0; i < 100; i++) {
+            try (Viewer viewer = new Viewer(shown, "POST /session HTTP/1.1\r\nHost: localhost\r\n" + rest)) {
+                viewer.socket.shutdownOutput();
+                viewer.lines.readLine();
+            } catch (SocketException hungUp) {
+                // As expected.
+            }
+        }
+        Awaitility.await().atMost(LIMIT).until(() -> {
+            try (Viewer viewer = new Viewer(shown, "GET /about HTTP/1.0\r\nHost: localhost\r\n\r\n")) {
+                return "HTTP/1.1 200 OK".equals(viewer.lines.readLine());
+            } catch (SocketException hungUp) {
+                return false;
+            }
+        });
+    }
+
+    @Test
+    void aPictureThatFailsUsesUpNoConnectionsAndIsReportedOnce() throws IOException {
+        Logger log = (Logger) LoggerFactory.getLogger(PageServer.class);
+        ListAppender<ILoggingEvent> logged = new ListAppender<>();
+        logged.start();
+        log.setLevel(Level.WARN);
+        log.addAppender(logged);
+        Picture broken = new Picture("Broken", "A picture", "image/png", false, () -> {
+            throw new IllegalStateException("no paint");
+        });
+        try (Shown another = new Shown(List.of(broken))) {
+            for (int i = 0; i < 100; i++) {
+                try (Viewer viewer = new Viewer(another, "GET /picture HTTP/1.1\r\nHost: localhost\r\n\r\n")) {
+                    assertThat(viewer.lines.readLine()).isNull();
+                }
+            }
+            try (Viewer viewer = new Viewer(another, "GET /about HTTP/1.1\r\nHost: localhost\r\n\r\n")) {
+                assertThat(viewer.lines.readLine()).isEqualTo("HTTP/1.1 200 OK");
+            }
+        } finally {
+            log.detachAppender(logged);
+            log.setLevel(null);
+        }
+        assertThat(logged.list)
+                .extracting(ILoggingEvent::getFormattedMessage)
+                .containsExactly("the page cannot answer /picture; further failures of it are not reported");
+    }
+
+    @Test
+    void whenNobodyLooksOnlyTwoThreadsOfTheJdkWait() throws IOException {
+        Set<Thread> before = Thread.getAllStackTraces().keySet();
+        try (Shown another = new Shown()) {
+            assertThat(another.page.port()).isPositive();
+            assertThat(Thread.getAllStackTraces().keySet())
+                    .filteredOn(thread -> !before.contains(thread))
+                    .extracting(Thread::getName)
+                    .filteredOn(name -> !name.startsWith("mapek-"))
+                    .containsExactlyInAnyOrder("HTTP-Dispatcher", "idle-timeout-task");
+        }
     }
 
     private static long served() {

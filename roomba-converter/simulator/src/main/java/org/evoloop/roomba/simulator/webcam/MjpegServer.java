@@ -9,18 +9,20 @@ import java.net.BindException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
-import java.util.concurrent.SynchronousQueue;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
+import java.time.Duration;
+import java.util.Properties;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.evoloop.roomba.simulator.webcam.Newest.Numbered;
+import org.evoloop.time.Clock;
+import org.evoloop.time.RequestThreads;
+import org.evoloop.time.SystemClock;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Serves JPEGs over HTTP, on this machine only: {@value #STREAM} is an endless stream, {@value #FRAME} the next
  * picture, {@code /} a page with the stream. Each client has a thread that sends it the newest picture when it has
  * received the previous one, so a slow client does not delay others. A request that is incomplete after {@value
- * #REQUEST_SECONDS} s is closed. A new connection is closed at once if {@value #MOST_CONNECTIONS} are open, or if
+ * #REQUEST_SECONDS} s is closed, and so is the connection of a client that does not take a picture in that time. A new connection is closed at once if {@value #MOST_CONNECTIONS} are open, or if
  * {@value #MOST_CLIENTS} clients and {@value #MOST_REQUESTS} requests use all threads.
  */
 final class MjpegServer implements AutoCloseable {
@@ -29,11 +31,12 @@ final class MjpegServer implements AutoCloseable {
 
     private static final int MOST_CLIENTS = 16;
     private static final int MOST_REQUESTS = 8;
-    private static final int IDLE_SECONDS = 5;
     private static final int MOST_CONNECTIONS = 64;
     private static final int REQUEST_SECONDS = 10;
+    private static final Duration LIMIT = Duration.ofSeconds(REQUEST_SECONDS);
     private static final int ONLY_GET = 405;
     private static final int NOT_FOUND = 404;
+    private static final int GONE = 410;
     private static final int BUSY = 503;
     private static final int OK = 200;
     private static final String BOUNDARY = "evoloop-frame";
@@ -47,12 +50,9 @@ final class MjpegServer implements AutoCloseable {
     private final Newest<byte[]> pictures;
     private final HttpServer server;
     private final AtomicInteger clients = new AtomicInteger();
-    private final ThreadPoolExecutor threads = new ThreadPoolExecutor(
-            0, MOST_CLIENTS + MOST_REQUESTS, IDLE_SECONDS, TimeUnit.SECONDS, new SynchronousQueue<>(), task -> {
-                Thread thread = new Thread(task, "roomba-webcam-client");
-                thread.setDaemon(true);
-                return thread;
-            });
+    private final Clock clock = new SystemClock();
+    private final RequestThreads threads =
+            new RequestThreads("roomba-webcam-client", MOST_CLIENTS + MOST_REQUESTS, LIMIT, clock);
 
     /**
      * Starts serving.
@@ -62,12 +62,14 @@ final class MjpegServer implements AutoCloseable {
      */
     MjpegServer(Newest<byte[]> pictures, int port) throws IOException {
         this.pictures = pictures;
+        // The JDK's server reads these once, before it first serves.
+        Properties settings = System.getProperties();
         // Otherwise the end of a picture is delayed up to 40 ms until the client has acknowledged the data before it.
-        unlessSet("sun.net.httpserver.nodelay", "true");
-        unlessSet("sun.net.httpserver.maxReqTime", Integer.toString(REQUEST_SECONDS));
+        settings.putIfAbsent("sun.net.httpserver.nodelay", "true");
+        settings.putIfAbsent("sun.net.httpserver.idleInterval", Integer.toString(REQUEST_SECONDS));
         // How often the server checks for clients that have not started a request, in ms.
-        unlessSet("sun.net.httpserver.clockTick", "1000");
-        unlessSet("jdk.httpserver.maxConnections", Integer.toString(MOST_CONNECTIONS));
+        settings.putIfAbsent("sun.net.httpserver.clockTick", "1000");
+        settings.putIfAbsent("jdk.httpserver.maxConnections", Integer.toString(MOST_CONNECTIONS));
         try {
             server = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), port), 0);
         } catch (BindException taken) {
@@ -83,13 +85,6 @@ final class MjpegServer implements AutoCloseable {
         server.start();
     }
 
-    /** The JDK's server reads its settings once, before the first use. */
-    private static void unlessSet(String property, String value) {
-        if (System.getProperty(property) == null) {
-            System.setProperty(property, value);
-        }
-    }
-
     int port() {
         return server.getAddress().getPort();
     }
@@ -99,6 +94,10 @@ final class MjpegServer implements AutoCloseable {
         return clients.get();
     }
 
+    /**
+     * The JDK's server counts a connection until it has sent an answer on it, or this throws an exception. It would
+     * count forever one that an exchange closes because the rest of its request cannot be read.
+     */
     private static void answer(HttpExchange exchange, String path, HttpHandler handler) throws IOException {
         try (exchange) {
             if (!exchange.getRequestURI().getPath().equals(path)) {
@@ -108,6 +107,7 @@ final class MjpegServer implements AutoCloseable {
             } else {
                 handler.handle(exchange);
             }
+            exchange.getRequestBody().close();
         }
     }
 
@@ -122,14 +122,20 @@ final class MjpegServer implements AutoCloseable {
     private static void send(HttpExchange exchange, int status, String type, byte[] body) throws IOException {
         exchange.getResponseHeaders().set("Content-Type", type);
         exchange.getResponseHeaders().set("Cache-Control", "no-store");
-        exchange.sendResponseHeaders(status, body.length);
-        exchange.getResponseBody().write(body);
+        // The JDK's server would log a warning about a body to a HEAD request.
+        boolean bodiless = exchange.getRequestMethod().equals("HEAD");
+        exchange.sendResponseHeaders(status, bodiless ? -1 : body.length);
+        if (!bodiless) {
+            exchange.getResponseBody().write(body);
+        }
     }
 
     private void sendPicture(HttpExchange exchange) throws IOException {
         watch(exchange, () -> {
-            Numbered<byte[]> next = pictures.after(pictures.number());
-            if (next != null) {
+            Numbered<byte[]> next = after(pictures.number());
+            if (next == null) {
+                sendText(exchange, GONE, "text/plain", "there are no more pictures\n");
+            } else {
                 send(exchange, OK, "image/jpeg", next.thing());
             }
         });
@@ -140,20 +146,29 @@ final class MjpegServer implements AutoCloseable {
             exchange.getResponseHeaders().set("Content-Type", "multipart/x-mixed-replace; boundary=" + BOUNDARY);
             exchange.getResponseHeaders().set("Cache-Control", "no-store");
             exchange.sendResponseHeaders(OK, 0);
-            OutputStream body = exchange.getResponseBody();
-            body.flush();
-            @Nullable Numbered<byte[]> next = pictures.after(pictures.number());
-            while (next != null) {
-                String head = "--" + BOUNDARY + "\r\nContent-Type: image/jpeg\r\nContent-Length: " + next.thing().length
-                        + "\r\n\r\n";
-                body.write(head.getBytes(StandardCharsets.US_ASCII));
-                body.write(next.thing());
-                body.write('\r');
-                body.write('\n');
+            try (OutputStream body = exchange.getResponseBody()) {
                 body.flush();
-                next = pictures.after(next.number());
+                @Nullable Numbered<byte[]> next = after(pictures.number());
+                while (next != null) {
+                    String head = "--" + BOUNDARY + "\r\nContent-Type: image/jpeg\r\nContent-Length: "
+                            + next.thing().length + "\r\n\r\n";
+                    body.write(head.getBytes(StandardCharsets.US_ASCII));
+                    body.write(next.thing());
+                    body.write('\r');
+                    body.write('\n');
+                    body.flush();
+                    next = after(next.number());
+                }
             }
         });
+    }
+
+    /** Waits for the camera as long as it takes; the client then has a limited time to take the picture. */
+    private @Nullable Numbered<byte[]> after(long number) throws InterruptedException {
+        threads.unlimited();
+        Numbered<byte[]> next = pictures.after(number);
+        threads.limit(LIMIT);
+        return next;
     }
 
     private interface Show {
@@ -178,6 +193,7 @@ final class MjpegServer implements AutoCloseable {
     @Override
     public void close() {
         server.stop(0);
-        threads.shutdownNow();
+        threads.close();
+        clock.close();
     }
 }

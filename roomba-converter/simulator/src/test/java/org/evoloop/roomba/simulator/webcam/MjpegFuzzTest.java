@@ -10,7 +10,9 @@ import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.List;
+import org.awaitility.Awaitility;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -19,7 +21,9 @@ import org.junit.jupiter.params.provider.MethodSource;
  */
 @Timeout(30)
 class MjpegFuzzTest {
-    private static final int MOST_TRIES = 10_000;
+    /** How long a server that has too many connections may take until it has noticed that others are gone. */
+    private static final Duration LIMIT = Duration.ofSeconds(20);
+
     private static final MjpegServer SERVER = server();
 
     private static MjpegServer server() {
@@ -43,16 +47,15 @@ class MjpegFuzzTest {
         } catch (IOException hungUp) {
             // The server may close the connection.
         }
-        String page = "";
-        // While the most viewers are connected it closes new connections at once, until it has noticed that others are
-        // gone.
-        for (int tries = 0; page.isEmpty() && tries < MOST_TRIES; tries++) {
-            try {
-                page = answerTo("GET / HTTP/1.0\r\n\r\n".getBytes(StandardCharsets.US_ASCII));
-            } catch (IOException full) {
-                Thread.onSpinWait();
-            }
-        }
+        String page = Awaitility.await()
+                .pollInSameThread()
+                .pollDelay(Duration.ZERO)
+                .pollInterval(Duration.ofMillis(10))
+                .atMost(LIMIT)
+                .ignoreExceptionsInstanceOf(IOException.class)
+                .until(
+                        () -> answerTo("GET / HTTP/1.0\r\n\r\n".getBytes(StandardCharsets.US_ASCII)),
+                        answered -> !answered.isEmpty());
         assertThat(page).contains(" 200 ").contains("Simulated Roomba");
     }
 

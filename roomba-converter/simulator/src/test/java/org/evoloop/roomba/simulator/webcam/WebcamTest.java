@@ -40,6 +40,8 @@ import org.evoloop.roomba.simulator.room.Room;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 @Timeout(60)
 class WebcamTest {
@@ -331,6 +333,56 @@ class WebcamTest {
                 socket.close();
             }
         }
+    }
+
+    @Test
+    void halfRequestsHoldFewThreadsForALimitedTime() throws Exception {
+        URI url = webcam.url();
+        Deque<Socket> half = new ArrayDeque<>();
+        try {
+            for (int i = 0; i < 300; i++) {
+                half.add(connect(url));
+                try {
+                    half.getLast()
+                            .getOutputStream()
+                            .write("GET /stream HTTP/1.1\r\nHost: rob".getBytes(StandardCharsets.US_ASCII));
+                } catch (SocketException hungUp) {
+                    // As expected.
+                }
+                assertThat(Thread.getAllStackTraces().keySet())
+                        .filteredOn(thread -> thread.getName().equals("roomba-webcam-client"))
+                        .hasSizeLessThanOrEqualTo(24);
+            }
+            for (Socket socket : half) {
+                assertThat(isHungUpOn(socket)).isTrue();
+            }
+            untilSeen(view(), 1);
+        } finally {
+            for (Socket socket : half) {
+                socket.close();
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "GET /nothing HTTP/1.1\r\nHost: robot\r\nContent-Length: 5\r\n\r\nab",
+                "POST / HTTP/1.1\r\nHost: robot\r\nTransfer-Encoding: chunked\r\n\r\nFFFFFFFF\r\n"
+            })
+    void requestsThatBreakOffUseUpNoConnections(String request) throws Exception {
+        // More than there may be connections.
+        for (int i = 0; i < 100; i++) {
+            try (Socket socket = connect(webcam.url())) {
+                socket.getOutputStream().write(request.getBytes(StandardCharsets.US_ASCII));
+                socket.shutdownOutput();
+                socket.getInputStream().readAllBytes();
+            } catch (SocketException hungUp) {
+                // As expected.
+            }
+        }
+        await().ignoreExceptionsInstanceOf(IOException.class)
+                .until(() -> http.send(request("/"), BodyHandlers.ofString()).statusCode() == 200);
     }
 
     private static Socket connect(URI url) throws IOException {

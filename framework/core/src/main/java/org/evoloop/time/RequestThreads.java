@@ -1,0 +1,139 @@
+package org.evoloop.time;
+
+import java.time.Duration;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.concurrent.Executor;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.SynchronousQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * The threads of a server, one for each request in progress. Both their number and the time of each request are
+ * limited, so that clients that send or read slowly, or not at all, cannot occupy more and more of them. A request whose
+ * time is up is interrupted until it ends; if it waits for its channel, that closes the channel.
+ *
+ * <p>Threading: thread-safe. The threads are daemons; some seconds after the last request there are none.
+ *
+ * @since 0.1
+ */
+public final class RequestThreads implements Executor, AutoCloseable {
+    private static final int IDLE_SECONDS = 5;
+    private static final int LOOK_MILLIS = 500;
+    private static final int LOOKS_IN_VAIN = 10;
+
+    /** How long a request waits for a thread that has given its answer but is not free yet. */
+    private static final int HANDOVER_MILLIS = 20;
+
+    private final String name;
+    private final Duration limit;
+    private final Clock clock;
+    private final ThreadPoolExecutor threads;
+    private final Map<Thread, Long> deadlines = new HashMap<>();
+    private boolean watched;
+    private boolean closed;
+
+    /**
+     * Creates no thread yet.
+     *
+     * @param name of each thread; the one that watches the limits is {@code name-limits}
+     * @param most requests at a time, at least 1
+     * @param limit for a request that sets none
+     * @param clock in real time; it stays open
+     */
+    public RequestThreads(String name, int most, Duration limit, Clock clock) {
+        this.name = name;
+        this.limit = limit;
+        this.clock = clock;
+        this.threads = new ThreadPoolExecutor(
+                0,
+                most,
+                IDLE_SECONDS,
+                TimeUnit.SECONDS,
+                new SynchronousQueue<>(),
+                task -> daemon(name, task),
+                RequestThreads::handOver);
+    }
+
+    private static Thread daemon(String name, Runnable task) {
+        Thread thread = new Thread(task, name);
+        thread.setDaemon(true);
+        return thread;
+    }
+
+    private static void handOver(Runnable request, ThreadPoolExecutor threads) {
+        boolean taken = false;
+        try {
+            taken = !threads.isShutdown() && threads.getQueue().offer(request, HANDOVER_MILLIS, TimeUnit.MILLISECONDS);
+        } catch (InterruptedException end) {
+            Thread.currentThread().interrupt();
+        }
+        if (!taken) {
+            throw new RejectedExecutionException("no thread is free");
+        }
+    }
+
+    /**
+     * Runs a request. If no thread is free, it waits for {@value #HANDOVER_MILLIS} ms.
+     *
+     * @throws RejectedExecutionException if there is no thread for it, or this is closed
+     */
+    @Override
+    public void execute(Runnable request) {
+        threads.execute(() -> {
+            limit(limit);
+            try {
+                request.run();
+            } finally {
+                unlimited();
+            }
+        });
+    }
+
+    /** Called by a request: from now on it has this much time. */
+    public synchronized void limit(Duration time) {
+        deadlines.put(Thread.currentThread(), clock.nanoTime() + time.toNanos());
+        if (!watched && !closed) {
+            watched = true;
+            Threads.start(name + "-limits", this::watch);
+        }
+    }
+
+    /** Called by a request: until it sets the next limit, it waits for something that its client does not control. */
+    public synchronized void unlimited() {
+        deadlines.remove(Thread.currentThread());
+        if (!closed) {
+            // The time may have been up just after the last byte, when there was nothing left to interrupt.
+            Thread.interrupted();
+        }
+    }
+
+    private synchronized void watch() {
+        try {
+            for (int inVain = 0; inVain < LOOKS_IN_VAIN && !closed; inVain = deadlines.isEmpty() ? inVain + 1 : 0) {
+                long now = clock.nanoTime();
+                deadlines.forEach((thread, deadline) -> {
+                    if (now - deadline >= 0) {
+                        thread.interrupt();
+                    }
+                });
+                wait(LOOK_MILLIS);
+            }
+        } catch (InterruptedException never) {
+            Thread.currentThread().interrupt();
+        } finally {
+            watched = false;
+        }
+    }
+
+    /** Interrupts all requests and refuses further ones. Idempotent; does not wait for them. */
+    @Override
+    public void close() {
+        synchronized (this) {
+            closed = true;
+            notifyAll();
+        }
+        threads.shutdownNow();
+    }
+}
