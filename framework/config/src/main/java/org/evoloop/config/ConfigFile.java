@@ -114,7 +114,8 @@ final class ConfigFile {
         boolean good = plain && checkNode((NodeEvent) value);
         if (list) {
             for (Event item = events.next(); !(item instanceof SequenceEndEvent); item = events.next()) {
-                good &= checkNode((NodeEvent) item) && value(item, values);
+                boolean supported = checkNode((NodeEvent) item);
+                good &= value(item, values) && supported;
             }
         } else {
             good &= value(value, values);

@@ -106,6 +106,7 @@ class ConfigFileTest {
         "'simulate: true\nport: @a', F:2:, put the value in quotes",
         "'simulate: &a true\nport: *a', F:1:, anchors",
         "'simulate: true\nport: !!str a', F:2:, tags",
+        "'simulate: true\nport: [&a {b: c}, d]', F:2:, anchors",
         "'simulate: true\n---\nport: a', F:2:, second document",
         "'simulate: true\n? [a]\n: b', F:2:, name is expected",
     })

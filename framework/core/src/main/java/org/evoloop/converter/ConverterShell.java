@@ -93,7 +93,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
     }
 
     /**
-     * Lets other knowledge take over; the caller tells the listeners.
+     * Lets other knowledge take over; the caller notifies the listeners.
      *
      * @param idle how long nothing must have happened before
      * @param monitors that report events by name

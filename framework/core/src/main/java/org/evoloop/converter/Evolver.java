@@ -239,7 +239,7 @@ final class Evolver {
             } else if (evolution.needsWayBack()) {
                 lead(ready.present());
             }
-            // Only now: a listener may ask for the status, which tells of the way back and the probation.
+            // Only now: a listener may read the status, which shows the way back and the probation.
             shell.books.listeners().evolved(result);
         }
 
