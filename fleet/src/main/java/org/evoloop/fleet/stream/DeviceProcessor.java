@@ -176,7 +176,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
             }
         }
         send(id, timestamp);
-        agenda.set(id, Device.dueNanos(state, patienceNanos));
+        agenda.set(id, device.dueNanos());
     }
 
     private void send(String id, long timestamp) {

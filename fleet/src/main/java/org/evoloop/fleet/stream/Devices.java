@@ -6,6 +6,7 @@ import java.util.function.ObjLongConsumer;
 import org.apache.kafka.streams.KeyValue;
 import org.apache.kafka.streams.state.KeyValueIterator;
 import org.apache.kafka.streams.state.KeyValueStore;
+import org.evoloop.core.Rules;
 import org.evoloop.core.text.SnapshotException;
 import org.evoloop.fleet.device.Device;
 import org.evoloop.fleet.device.DeviceState;
@@ -79,8 +80,7 @@ final class Devices {
 
     private DeviceState read(byte[] bytes) {
         try {
-            return DeviceStateBytes.read(
-                    library.model(DeviceStateBytes.model(bytes)).rules(), bytes);
+            return DeviceStateBytes.read(version -> library.model(version).rules(), bytes);
         } catch (SnapshotException | IllegalArgumentException e) {
             throw new Refusal(Refusal.Reason.UNUSABLE_STATE, "the stored state of the device: " + e.getMessage());
         }
@@ -102,7 +102,9 @@ final class Devices {
             while (each.hasNext()) {
                 KeyValue<String, byte[]> next = each.next();
                 try {
-                    consumer.accept(next.key, Device.dueNanos(read(next.value), patienceNanos));
+                    DeviceState state = read(next.value);
+                    Rules rules = library.model(state.model()).rules();
+                    consumer.accept(next.key, Device.dueNanos(rules, state, patienceNanos));
                 } catch (Refusal refusal) {
                     LOG.error("the timers of the device {} are not watched: {}", next.key, refusal.detail());
                 }

@@ -19,12 +19,19 @@ import org.jspecify.annotations.Nullable;
  * A store in memory that finds a key by its hash. That of Kafka Streams is a sorted tree, in which a million keys take
  * several times as long to find as a thousand.
  *
+ * <p>A value is written over the last one of its key if that had about the same length: else every value that is replaced
+ * would be garbage among the old objects, which takes long to collect.
+ *
  * <p>Iterators are in the order of the keys. They see the keys there were when they were made, with their present values.
  *
  * <p>Threading: thread-safe.
  */
 final class MemoryStore implements KeyValueStore<Bytes, byte[]> {
+    private static final int ROUND = 16;
+
     private final String name;
+
+    /** Each in an array of a multiple of {@value #ROUND} bytes, of which the last says how many are not used. */
     private final Map<Bytes, byte[]> values = new HashMap<>();
 
     /** All keys in order; null if keys were added or removed since it was made. */
@@ -92,20 +99,33 @@ final class MemoryStore implements KeyValueStore<Bytes, byte[]> {
 
     @Override
     public synchronized byte @Nullable [] get(Bytes key) {
-        return values.get(key);
+        byte[] kept = values.get(key);
+        return kept == null ? null : Arrays.copyOf(kept, kept.length - kept[kept.length - 1]);
     }
 
     @Override
     public synchronized void put(Bytes key, byte @Nullable [] value) {
-        boolean sameKeys = value == null ? values.remove(key) == null : values.put(key, value) != null;
-        if (!sameKeys) {
-            order = null;
+        if (value == null) {
+            if (values.remove(key) != null) {
+                order = null;
+            }
+            return;
         }
+        byte[] kept = values.get(key);
+        int length = (value.length / ROUND + 1) * ROUND;
+        if (kept == null || kept.length != length) {
+            kept = new byte[length];
+            if (values.put(key, kept) == null) {
+                order = null;
+            }
+        }
+        System.arraycopy(value, 0, kept, 0, value.length);
+        kept[length - 1] = (byte) (length - value.length);
     }
 
     @Override
     public synchronized byte @Nullable [] putIfAbsent(Bytes key, byte[] value) {
-        byte[] known = values.get(key);
+        byte[] known = get(key);
         if (known == null) {
             put(key, value);
         }
@@ -119,7 +139,7 @@ final class MemoryStore implements KeyValueStore<Bytes, byte[]> {
 
     @Override
     public synchronized byte @Nullable [] delete(Bytes key) {
-        byte[] known = values.get(key);
+        byte[] known = get(key);
         put(key, null);
         return known;
     }

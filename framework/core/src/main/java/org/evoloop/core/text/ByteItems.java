@@ -1,5 +1,7 @@
 package org.evoloop.core.text;
 
+import java.nio.charset.StandardCharsets;
+
 /** The items that {@link ByteWriter} has written. */
 final class ByteItems extends Items {
     private final byte[] bytes;
@@ -100,9 +102,19 @@ final class ByteItems extends Items {
         if (count > (bytes.length - place) / (wide ? 2 : 1)) {
             throw damaged("a text is longer than the rest");
         }
-        char[] characters = new char[(int) count];
-        for (int at = 0; at < characters.length; at++) {
-            characters[at] = (char) (wide ? (octet() << Byte.SIZE) | octet() : octet());
+        return wide ? wide((int) count) : narrow((int) count);
+    }
+
+    private String narrow(int count) {
+        String text = new String(bytes, place, count, StandardCharsets.ISO_8859_1);
+        place += count;
+        return text;
+    }
+
+    private String wide(int count) {
+        char[] characters = new char[count];
+        for (int at = 0; at < count; at++) {
+            characters[at] = (char) ((octet() << Byte.SIZE) | octet());
         }
         return new String(characters);
     }
