@@ -199,6 +199,11 @@ public final class Device {
         return dueNanos(core.rules(), state, patienceNanos);
     }
 
+    /** Whether anything may be due at a device in {@code state}, at any time. */
+    public static boolean mayBeDue(DeviceState state) {
+        return state.open() != null || !state.snapshot().visit().deadlines().isEmpty();
+    }
+
     /**
      * As {@link #dueNanos()}, of a stored state.
      *

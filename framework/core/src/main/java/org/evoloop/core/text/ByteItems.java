@@ -1,7 +1,5 @@
 package org.evoloop.core.text;
 
-import java.nio.charset.StandardCharsets;
-
 /** The items that {@link ByteWriter} has written. */
 final class ByteItems extends Items {
     private final byte[] bytes;
@@ -105,8 +103,9 @@ final class ByteItems extends Items {
         return wide ? wide((int) count) : narrow((int) count);
     }
 
+    @SuppressWarnings("deprecation") // What it does not do, decode, is not wanted; charsets are not for the core.
     private String narrow(int count) {
-        String text = new String(bytes, place, count, StandardCharsets.ISO_8859_1);
+        String text = new String(bytes, 0, place, count);
         place += count;
         return text;
     }
