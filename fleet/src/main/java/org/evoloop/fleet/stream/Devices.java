@@ -31,7 +31,7 @@ final class Devices {
      * handling its record.
      */
     private static final class Recent {
-        private static final int PLACES = 1 << 12;
+        private static final int PLACES = 1 << 11;
 
         private final @Nullable String[] ids = new String[PLACES];
         private final @Nullable DeviceState[] states = new DeviceState[PLACES];
