@@ -176,10 +176,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
             }
         }
         send(id, timestamp);
-        // With very many devices, to look for an entry that cannot be there takes as long as to decide.
-        if (Device.mayBeDue(state) || (before != null && Device.mayBeDue(before))) {
-            agenda.set(id, device.dueNanos());
-        }
+        agenda.set(id, Device.dueNanos(state, patienceNanos));
     }
 
     private void send(String id, long timestamp) {

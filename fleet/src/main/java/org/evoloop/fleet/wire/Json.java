@@ -111,27 +111,9 @@ final class Json {
     }
 
     private Json quoted(String words) {
-        int count = words.length();
-        room(count + 2);
-        byte[] to = bytes;
-        int next = length;
-        to[next++] = '"';
-        for (int at = 0; at < count; at++) {
-            char each = words.charAt(at);
-            if (each < ' ' || each == '"' || each == '\\' || each >= ASCII) {
-                length = next;
-                return rest(words, at).octet('"');
-            }
-            to[next++] = (byte) each;
-        }
-        to[next++] = '"';
-        length = next;
-        return this;
-    }
-
-    /** Writes the characters from {@code from} on, of which the first cannot be written as it is. */
-    private Json rest(String words, int from) {
-        for (int at = from; at < words.length(); at++) {
+        octet('"');
+        room(words.length());
+        for (int at = 0; at < words.length(); at++) {
             char each = words.charAt(at);
             if (each >= ASCII) {
                 // The next char may be the second half of this character.
@@ -140,7 +122,7 @@ final class Json {
             }
             ascii(each);
         }
-        return this;
+        return octet('"');
     }
 
     private void ascii(char each) {
@@ -182,9 +164,8 @@ final class Json {
     }
 
     private Json plain(String ascii) {
-        room(ascii.length());
         for (int at = 0; at < ascii.length(); at++) {
-            bytes[length++] = (byte) ascii.charAt(at);
+            octet(ascii.charAt(at));
         }
         return this;
     }

@@ -1,6 +1,5 @@
 package org.evoloop.fleet.wire;
 
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -17,6 +16,8 @@ import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.core.JacksonException;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
 
 /**
  * A record read from a fleet's topics. Unknown members are ignored.
@@ -26,16 +27,11 @@ import tools.jackson.core.JacksonException;
  * @since 0.1
  */
 public final class Reading {
-    /** Doubles below it, and no others, fit in a long. */
-    private static final double MOST_WHOLE = 0x1p63;
+    private static final JsonMapper MAPPER = new JsonMapper();
 
-    private static final Source[] SOURCES = Source.values();
-    private static final Answer.Outcome[] OUTCOMES = Answer.Outcome.values();
-    private static final Order.Kind[] KINDS = Order.Kind.values();
+    private final JsonNode record;
 
-    private final Members record;
-
-    private Reading(Members record) {
+    private Reading(JsonNode record) {
         this.record = record;
     }
 
@@ -45,16 +41,16 @@ public final class Reading {
      * @throws Refusal if it is not a JSON object, or one of a newer schema
      */
     public static Reading of(byte @Nullable [] bytes) {
-        Members members;
+        JsonNode node;
         try {
-            members = bytes == null ? null : Members.read(bytes);
+            node = bytes == null ? null : MAPPER.readTree(bytes);
         } catch (JacksonException e) {
             throw malformed("it is not valid JSON: " + e.getOriginalMessage());
         }
-        if (members == null) {
+        if (node == null || !node.isObject()) {
             throw malformed("a JSON object was expected");
         }
-        Reading reading = new Reading(members);
+        Reading reading = new Reading(node);
         long schema = reading.number("schema", 1);
         if (schema > Wire.SCHEMA) {
             throw new Refusal(
@@ -69,7 +65,7 @@ public final class Reading {
     /** The occurrence in this record of {@link Topic#OCCURRENCES}. */
     public Occurrence occurrence() {
         long at = Wire.nanos(number("atMillis"));
-        String kind = text("kind", "heard");
+        String kind = record.has("kind") ? text("kind") : "heard";
         try {
             return switch (kind) {
                 case "found" -> new Occurrence.Found(new State(text("state")), at);
@@ -88,18 +84,18 @@ public final class Reading {
 
     /** The answer in this record of {@link Topic#EFFECTS}. */
     public Answer answer() {
-        String state = record.get("state") == null ? null : text("state");
+        String state = record.has("state") ? text("state") : null;
         return new Answer(
                 number("sequence"),
-                constant(OUTCOMES, "outcome"),
-                text("reason", ""),
+                constant(Answer.Outcome.values(), "outcome"),
+                record.has("reason") ? text("reason") : "",
                 state == null ? null : new State(state),
                 Wire.nanos(number("atMillis")));
     }
 
     /** The order in this record of {@link Topic#COMMANDS}. */
     public Order order() {
-        Order.Kind kind = constant(KINDS, "kind");
+        Order.Kind kind = constant(Order.Kind.values(), "kind");
         String what = kind == Order.Kind.LOCATE ? "" : text(kind == Order.Kind.SEND ? "event" : "effect");
         return new Order(
                 number("sequence"),
@@ -115,7 +111,7 @@ public final class Reading {
     }
 
     private Source source() {
-        Source source = record.get("source") == null ? Source.CONTROLLER : constant(SOURCES, "source");
+        Source source = record.has("source") ? constant(Source.values(), "source") : Source.CONTROLLER;
         if (source == Source.TIMER) {
             throw malformed("the source 'timer' is reserved for the fleet's own timers");
         }
@@ -133,132 +129,94 @@ public final class Reading {
     }
 
     private long visit() {
-        return number("visit", Occurrence.ANY_VISIT);
+        return record.has("visit") ? number("visit") : Occurrence.ANY_VISIT;
     }
 
     private Set<String> holding() {
-        List<String> texts = texts("holding");
-        return texts == null || texts.isEmpty() ? Set.of() : new HashSet<>(texts);
+        JsonNode node = record.get("holding");
+        Set<String> holding = new HashSet<>();
+        if (node != null) {
+            node.forEach(each -> holding.add(each.asString()));
+        }
+        return holding;
     }
 
     private Values values() {
-        Members members = members("values");
-        if (members == null) {
+        JsonNode node = record.get("values");
+        if (node == null || node.isEmpty()) {
             return Values.NONE;
         }
         Map<String, Object> values = new HashMap<>();
-        members.forEach((name, value) -> {
-            if (value instanceof Number number) {
-                values.put(name, number.doubleValue());
-            } else if (value instanceof String || value instanceof Boolean) {
-                values.put(name, value);
-            } else {
-                throw malformed("the value '" + name + "' must be a string, a number or a boolean");
-            }
+        node.properties().forEach(each -> {
+            JsonNode value = each.getValue();
+            values.put(
+                    each.getKey(),
+                    value.isNumber()
+                            ? (Object) value.doubleValue()
+                            : value.isBoolean() ? (Object) value.booleanValue() : value.asString());
         });
-        return values.isEmpty() ? Values.NONE : new Values(values);
+        return new Values(values);
     }
 
     /** The number of that name. */
     public long number(String name) {
-        Object value = record.get(name);
-        if (value instanceof Long number) {
-            return number;
-        } else if (value instanceof Double number && number == Math.rint(number) && Math.abs(number) < MOST_WHOLE) {
-            return number.longValue();
+        JsonNode node = record.get(name);
+        if (node == null || !node.canConvertToLong()) {
+            throw malformed("'" + name + "' must be a whole number");
         }
-        throw malformed("'" + name + "' must be a whole number");
+        return node.longValue();
     }
 
     /** The number of that name; {@code otherwise} if there is none. */
     public long number(String name, long otherwise) {
-        return record.get(name) == null ? otherwise : number(name);
+        return record.has(name) ? number(name) : otherwise;
     }
 
     /** The number of that name, possibly with a fraction; {@code otherwise} if there is none. */
     public double fraction(String name, double otherwise) {
-        Object value = record.get(name);
-        if (value == null) {
+        JsonNode node = record.get(name);
+        if (node == null) {
             return otherwise;
-        } else if (value instanceof Number number) {
-            return number.doubleValue();
+        } else if (!node.isNumber()) {
+            throw malformed("'" + name + "' must be a number");
         }
-        throw malformed("'" + name + "' must be a number");
+        return node.doubleValue();
     }
 
     /** The text of that name. */
     public String text(String name) {
-        if (record.get(name) instanceof String text) {
-            return text;
+        JsonNode node = record.get(name);
+        if (node == null || !node.isString()) {
+            throw malformed("'" + name + "' must be a string");
         }
-        throw malformed("'" + name + "' must be a string");
+        return node.stringValue();
     }
 
     /** The text of that name; {@code otherwise} if there is none. */
     public String text(String name, String otherwise) {
-        return record.get(name) == null ? otherwise : text(name);
+        return record.has(name) ? text(name) : otherwise;
     }
 
     private boolean truth(String name) {
-        Object value = record.get(name);
-        if (value == null || value instanceof Boolean) {
-            return Boolean.TRUE.equals(value);
-        }
-        throw malformed("'" + name + "' must be true or false");
-    }
-
-    private @Nullable Members members(String name) {
-        Object value = record.get(name);
-        if (value == null || value == Members.NULL) {
-            return null;
-        } else if (value instanceof Members members) {
-            return members;
-        }
-        throw malformed("'" + name + "' must be an object");
-    }
-
-    private @Nullable List<?> list(String name) {
-        Object value = record.get(name);
-        if (value == null || value == Members.NULL) {
-            return null;
-        } else if (value instanceof List<?> list) {
-            return list;
-        }
-        throw malformed("'" + name + "' must be a list");
+        JsonNode node = record.get(name);
+        return node != null && node.booleanValue();
     }
 
     /** The object of that name. */
     public Optional<Reading> inner(String name) {
-        return Optional.ofNullable(members(name)).map(Reading::new);
+        return Optional.ofNullable(record.get(name)).map(Reading::new);
     }
 
     /** The objects of that name, a list; none if there is no such list. */
     public List<Reading> each(String name) {
-        List<?> list = list(name);
-        List<Reading> each = new ArrayList<>();
-        for (Object value : list == null ? List.of() : list) {
-            if (!(value instanceof Members members)) {
-                throw malformed("'" + name + "' must be a list of objects");
-            }
-            each.add(new Reading(members));
-        }
-        return each;
+        JsonNode node = record.get(name);
+        return node == null ? List.of() : node.valueStream().map(Reading::new).toList();
     }
 
     /** The texts of that name, a list; null if there is no such list. */
     public @Nullable List<String> texts(String name) {
-        List<?> list = list(name);
-        if (list == null) {
-            return null;
-        }
-        List<String> texts = new ArrayList<>();
-        for (Object value : list) {
-            if (!(value instanceof String text)) {
-                throw malformed("'" + name + "' must be a list of strings");
-            }
-            texts.add(text);
-        }
-        return texts;
+        JsonNode node = record.get(name);
+        return node == null ? null : node.valueStream().map(JsonNode::asString).toList();
     }
 
     private static Refusal malformed(String detail) {

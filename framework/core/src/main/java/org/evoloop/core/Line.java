@@ -36,8 +36,8 @@ final class Line {
         return waiting.size() < Math.max(capacity, idle ? 1 : 0);
     }
 
-    boolean hasRoomForFacts(Rules rules) {
-        return waiting.size() < rules.mostWaiting();
+    boolean hasRoomForFacts(int capacity) {
+        return waiting.size() < capacity + MOST_FACTS;
     }
 
     void add(Pending pending) {

@@ -19,9 +19,6 @@ final class ByteWriter extends ItemWriter {
 
     private static final char MOST_NARROW = 0xff;
 
-    /** The most bytes of a number. */
-    private static final int MOST_OF_NUMBER = 10;
-
     /** Large enough for most snapshots. */
     private static final int CAPACITY = 192;
 
@@ -83,17 +80,12 @@ final class ByteWriter extends ItemWriter {
     }
 
     private ItemWriter unsigned(long number) {
-        room(MOST_OF_NUMBER);
-        byte[] to = bytes;
-        int next = length;
         long rest = number;
         while ((rest & -MORE) != 0) {
-            to[next++] = (byte) (((int) rest & (MORE - 1)) | MORE);
+            octet(((int) rest & (MORE - 1)) | MORE);
             rest >>>= BITS;
         }
-        to[next++] = (byte) rest;
-        length = next;
-        return this;
+        return octet((int) rest);
     }
 
     /** Writes one byte per character if that is enough for all of them, else two; so every string can be written. */
@@ -104,12 +96,9 @@ final class ByteWriter extends ItemWriter {
         unsigned(((long) count << 1) | (narrow ? 0 : WIDE));
         if (narrow) {
             room(count);
-            byte[] to = bytes;
-            int from = length;
             for (int at = 0; at < count; at++) {
-                to[from + at] = (byte) words.charAt(at);
+                bytes[length++] = (byte) words.charAt(at);
             }
-            length += count;
         } else {
             for (int at = 0; at < count; at++) {
                 octet(words.charAt(at) >>> Byte.SIZE);

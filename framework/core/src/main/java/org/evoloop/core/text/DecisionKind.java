@@ -31,15 +31,9 @@ public enum DecisionKind {
     /** {@link Decision.Impossible}. */
     IMPOSSIBLE;
 
-    private final String word;
-
-    DecisionKind() {
-        word = name().toLowerCase(Locale.ROOT).replace('_', '-');
-    }
-
     /** Its name in texts: {@code existing-function}. */
     public String word() {
-        return word;
+        return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
     /** The kind of {@code decision}. */

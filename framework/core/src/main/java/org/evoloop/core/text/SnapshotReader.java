@@ -24,8 +24,6 @@ import org.jspecify.annotations.Nullable;
 
 /** Reads the items that {@link SnapshotWriter} writes, in the same order. */
 final class SnapshotReader {
-    private static final DecisionKind[] KINDS = DecisionKind.values();
-
     private final Items items;
     private final Names names;
     private final OccurrenceReader occurrences;
@@ -202,7 +200,7 @@ final class SnapshotReader {
         List<String> effects = ended(items.texts());
         items.next("reason");
         String reason = ended(items.text());
-        for (DecisionKind kind : KINDS) {
+        for (DecisionKind kind : DecisionKind.values()) {
             if (kind.word().equals(word) && (transition != null || !kind.needsTransition())) {
                 return kind.made(before, after, steps, transition, effects, reason);
             }
