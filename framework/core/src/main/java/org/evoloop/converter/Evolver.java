@@ -237,21 +237,21 @@ final class Evolver {
             if (back) {
                 belongings.giveBack(ready.present());
             } else if (evolution.needsWayBack()) {
-                lead(ready.present());
+                openWayBack(ready.present());
             }
             // Only now: a listener may read the status, which shows the way back and the probation.
             shell.books.listeners().evolved(result);
         }
 
         /** Opens the way back to {@code previous}, and begins the trial if there is to be one. */
-        private void lead(StateKnowledge previous) {
+        private void openWayBack(StateKnowledge previous) {
             Trial trial = evolution.probation().isAny()
                     ? new Trial(config, shell, evolution.probation(), why -> rollBack(shell, why))
                     : null;
             wayBack =
                     new WayBack(evolution.next(), previous, evolution.mapping().reversed(), trial);
             if (trial != null) {
-                // Its first fault needs the way back.
+                // From now on a fault rolls back, which needs the way back.
                 trial.begin();
             }
         }

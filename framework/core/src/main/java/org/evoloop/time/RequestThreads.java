@@ -21,7 +21,7 @@ import java.util.concurrent.TimeUnit;
 public final class RequestThreads implements Executor, AutoCloseable {
     private static final int IDLE_SECONDS = 5;
     private static final int LOOK_MILLIS = 500;
-    private static final int LOOKS_IN_VAIN = 10;
+    private static final int MOST_IDLE_LOOKS = 10;
 
     /** How long a request waits for a thread that has given its answer but is not free yet. */
     private static final int HANDOVER_MILLIS = 20;
@@ -52,14 +52,8 @@ public final class RequestThreads implements Executor, AutoCloseable {
                 IDLE_SECONDS,
                 TimeUnit.SECONDS,
                 new SynchronousQueue<>(),
-                task -> daemon(name, task),
+                task -> Threads.daemon(name, task),
                 RequestThreads::handOver);
-    }
-
-    private static Thread daemon(String name, Runnable task) {
-        Thread thread = new Thread(task, name);
-        thread.setDaemon(true);
-        return thread;
     }
 
     private static void handOver(Runnable request, ThreadPoolExecutor threads) {
@@ -111,7 +105,7 @@ public final class RequestThreads implements Executor, AutoCloseable {
 
     private synchronized void watch() {
         try {
-            for (int inVain = 0; inVain < LOOKS_IN_VAIN && !closed; inVain = deadlines.isEmpty() ? inVain + 1 : 0) {
+            for (int idle = 0; idle < MOST_IDLE_LOOKS && !closed; idle = deadlines.isEmpty() ? idle + 1 : 0) {
                 long now = clock.nanoTime();
                 deadlines.forEach((thread, deadline) -> {
                     if (now - deadline >= 0) {

@@ -36,8 +36,7 @@ public final class SystemClock implements Clock {
         }
         this.speed = speed;
         timers = new ScheduledThreadPoolExecutor(1, task -> {
-            Thread thread = new Thread(task, "evoloop-clock");
-            thread.setDaemon(true);
+            Thread thread = Threads.daemon("evoloop-clock", task);
             own = thread;
             return thread;
         });

@@ -14,9 +14,13 @@ public final class Threads {
 
     /** Runs {@code task} on a daemon thread of its own. */
     public static void start(String name, Runnable task) {
+        daemon(name, task).start();
+    }
+
+    static Thread daemon(String name, Runnable task) {
         Thread thread = new Thread(task, name);
         thread.setDaemon(true);
-        thread.start();
+        return thread;
     }
 
     /**

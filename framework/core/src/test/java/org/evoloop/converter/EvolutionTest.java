@@ -185,23 +185,23 @@ class EvolutionTest {
     }
 
     @Test
-    void whoeverHearsOfAnEvolutionFindsItsProbationInTheStatus() {
-        List<String> heard = new ArrayList<>();
+    void aListenerOfAnEvolutionSeesItsProbationInTheStatus() {
+        List<String> seen = new ArrayList<>();
         player.converter.addListener(new ConverterListener() {
             @Override
             public void evolved(Evolution.Result result) {
-                heard.add(player.converter.status().evolution());
+                seen.add(player.converter.status().evolution());
             }
         });
         player.converter.evolve(
                 Evolution.to(Player.dozing(NewFunction.none())).withProbation(Probation.of(Duration.ofMinutes(1))));
-        assertThat(heard).containsExactly("'next', which took over from 'new', on probation for 60 s");
+        assertThat(seen).containsExactly("'next', which took over from 'new', on probation for 60 s");
         player.converter.rollBack();
-        assertThat(heard).last().isEqualTo("");
+        assertThat(seen).last().isEqualTo("");
     }
 
     @Test
-    void whoeverLooksWhileModelsTakeOverNeverSeesThemWithoutTheirProbation() {
+    void theStatusNeverShowsATakeoverWithoutItsProbation() {
         List<String> seen = new ArrayList<>();
         Runnable look = () -> seen.add(player.converter.status().evolution());
         player.converter.evolve(Evolution.to(Player.dozing(NewFunction.none()))

@@ -20,12 +20,12 @@ final class RequestFaults {
     private final AtomicBoolean malformed = new AtomicBoolean();
     private final AtomicBoolean failed = new AtomicBoolean();
 
-    /** What the client sent is no request. */
+    /** The client's request is malformed. */
     void malformed(HttpExchange exchange, IOException why) {
         report(malformed, exchange, "is malformed: " + why.getMessage(), null);
     }
 
-    /** The request was not handled because of a mistake in the program. */
+    /** The request was not handled because of a bug in the program. */
     void failed(HttpExchange exchange, RuntimeException mistake) {
         report(failed, exchange, "could not be handled", mistake);
     }

@@ -22,8 +22,9 @@ import org.jspecify.annotations.Nullable;
  * Serves JPEGs over HTTP, on this machine only: {@value #STREAM} is an endless stream, {@value #FRAME} the next
  * picture, {@code /} a page with the stream. Each client has a thread that sends it the newest picture when it has
  * received the previous one, so a slow client does not delay others. A request that is incomplete after {@value
- * #REQUEST_SECONDS} s is closed, and so is the connection of a client that does not take a picture in that time. A new connection is closed at once if {@value #MOST_CONNECTIONS} are open, or if
- * {@value #MOST_CLIENTS} clients and {@value #MOST_REQUESTS} requests use all threads.
+ * #REQUEST_SECONDS} s is closed, and so is the connection of a client that does not take a picture in that time. A new
+ * connection is closed at once if {@value #MOST_CONNECTIONS} are open, or if {@value #MOST_CLIENTS} clients and {@value
+ * #MOST_REQUESTS} requests use all threads.
  */
 final class MjpegServer implements AutoCloseable {
     static final String STREAM = "/stream";
