@@ -24,7 +24,7 @@ record Certificate(Path certificate, Path key) {
                                 .toString(),
                         "-genkeypair",
                         "-keyalg",
-                        "RSA",
+                        "EC",
                         "-alias",
                         "a",
                         "-dname",

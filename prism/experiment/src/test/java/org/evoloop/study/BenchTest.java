@@ -9,7 +9,6 @@ import org.evoloop.study.Point.Mechanism;
 import org.junit.jupiter.api.Test;
 
 class BenchTest {
-    private static final long HOUR_NANOS = Duration.ofHours(1).toNanos();
     private static final long SEED = 17;
 
     private static Point point(Mechanism mechanism, int capacity, int steps) {
@@ -27,12 +26,12 @@ class BenchTest {
     }
 
     private static Bench afterAnHour(Point point) {
-        return afterAnHour(point, false);
+        return after(Duration.ofHours(1), point, false);
     }
 
-    private static Bench afterAnHour(Point point, boolean threads) {
+    private static Bench after(Duration time, Point point, boolean threads) {
         Bench bench = new Bench(point, point.seed(), threads);
-        while (bench.time.nanos() < HOUR_NANOS) {
+        while (bench.time.nanos() < time.toNanos()) {
             bench.go();
         }
         return bench;
@@ -90,12 +89,13 @@ class BenchTest {
 
     @Test
     void theSameSeedGivesTheSameRunWithAndWithoutThreads() {
+        Duration time = Duration.ofMinutes(20);
         for (Mechanism mechanism : Mechanism.values()) {
             for (int capacity = 1; capacity <= 3; capacity++) {
                 Point point = point(mechanism, capacity, 1);
-                try (Bench one = afterAnHour(point);
-                        Bench again = afterAnHour(point);
-                        Bench threads = afterAnHour(point, true)) {
+                try (Bench one = after(time, point, false);
+                        Bench again = after(time, point, false);
+                        Bench threads = after(time, point, true)) {
                     assertThat(waits(again)).isEqualTo(waits(one));
                     assertThat(waits(threads)).as(point.toString()).isEqualTo(waits(one));
                     assertThat(lost(threads)).isEqualTo(lost(one));
