@@ -10,6 +10,7 @@ import hashlib
 import io
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import tarfile
@@ -131,6 +132,9 @@ class DebianTest(unittest.TestCase):
         self.assertIn("usage: evoloop", self.do(root, "evoloop help"))
         self.assertIn("EVOLOOP(1)", self.do(root, "man -P cat evoloop | head -1"))
         self.do(root, "man -P cat 5 evoloop.yaml")
+        self.assertEqual(self.completed(root, "evoloop", "sim"), ["simulator"])
+        self.assertEqual(self.completed(root, "evoloop", "roomba", "--sim"), ["--simulate"])
+        self.assertEqual(self.completed(root, "evoloop", "run", ""), ["lamp", "roomba"])
         self.assertIn("search-limit", self.do(root, "evoloop roomba --config /etc/evoloop/roomba.yaml --print-config"))
         self.assertIn("names no program", self.do(root, "echo 'x: y' > /etc/evoloop/x.yaml; evoloop run x", status=2))
         self.do(root, "rm /etc/evoloop/x.yaml")
@@ -138,6 +142,14 @@ class DebianTest(unittest.TestCase):
         score = self.do(root, "systemd-analyze security --offline=yes evoloop@roomba.service | tail -1")
         self.assertLess(float(re.search(r"level for \S+: ([\d.]+)", score).group(1)), 3)  # type: ignore[union-attr]
         self.assertEqual(self.do(root, "lintian --allow-root --fail-on error,warning /tmp/evoloop.deb"), "")
+
+    def completed(self, root: Path, *words: str) -> list[str]:
+        """What bash completes the last word to."""
+        script = (
+            ". /usr/share/bash-completion/completions/evoloop; "
+            'COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)); _evoloop "$1" "${@: -1}" "${@: -2:1}"; printf "%s\\n" "${COMPREPLY[@]}"'
+        )
+        return self.do(root, shlex.join(["bash", "-c", script, "bash", *words])).split()
 
     def run_the_service(self, root: Path) -> None:
         """The unit's command line, as its user and in its directories."""
@@ -243,12 +255,21 @@ class BootTest(unittest.TestCase):
     def await_another(self, process: str) -> None:
         self.await_that(lambda: self.of("ActiveState") == "active" and self.of("MainPID") != process)
 
-    def test_it_is_killed_freezes_and_is_stopped(self) -> None:
+    def wait_for_a_robot(self) -> None:
+        """The robot's port is not there yet, which the service says once, as a warning."""
+        self.do("systemctl start evoloop@roomba")
+        self.assertEqual(self.of("ActiveState"), "active")
+        warnings = self.do("journalctl -u evoloop@roomba -p warning -o cat")
+        self.assertEqual(warnings.count("/dev/ttyUSB0"), 1, warnings)
+        self.do("systemctl stop evoloop@roomba")
+
+    def test_it_waits_is_killed_freezes_and_is_stopped(self) -> None:
         for root in OWN_ROOTS:
             with self.subTest(release=root.name):
                 shutil.copy(PACKAGE, root / "root/evoloop.deb")
                 self.boot(root)
                 self.do("dpkg --purge evoloop; groupadd --force --system gpio; dpkg -i /root/evoloop.deb")
+                self.wait_for_a_robot()
                 self.do("sed -i 's/^port:.*/simulate: true/' /etc/evoloop/roomba.yaml")
                 self.do("mkdir -p /run/systemd/system/evoloop@.service.d")
                 self.do("printf '[Service]\\nWatchdogSec=10\\n' > /run/systemd/system/evoloop@.service.d/test.conf")
