@@ -187,8 +187,7 @@ final class Broadcast {
     /** Makes an update, once for all viewers. */
     private synchronized void renew() {
         ConverterStatus status = converter.status();
-        newest = new Update(
-                newest.number() + 1, StatusJson.of(status), readings(status), last, List.copyOf(recent));
+        newest = new Update(newest.number() + 1, StatusJson.of(status), readings(status), last, List.copyOf(recent));
         newestNanos = clock.nanoTime();
         news = false;
         notifyAll();
