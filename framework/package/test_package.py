@@ -23,7 +23,7 @@ PROJECT = Path(__file__).resolve().parents[2]
 PACKAGE = next((PROJECT / "target").glob("evoloop_*_all.deb"))
 ROOTS = [Path(root) for root in os.environ.get("EVOLOOP_ROOTS", "").split()]
 PROGRAMS = {"./usr/bin/evoloop", "./usr/lib/evoloop/make-safe", "./usr/lib/evoloop/prepare-classes"}
-# systemd can boot only on its own processor architecture.
+# Those of this computer's processor architecture; systemd can boot only there.
 OWN_ROOTS = [root for root in ROOTS if "-" not in root.name]
 LIMIT_S = 600
 
@@ -141,7 +141,9 @@ class DebianTest(unittest.TestCase):
         self.do(root, "systemd-analyze verify evoloop@roomba.service")
         score = self.do(root, "systemd-analyze security --offline=yes evoloop@roomba.service | tail -1")
         self.assertLess(float(re.search(r"level for \S+: ([\d.]+)", score).group(1)), 3)  # type: ignore[union-attr]
-        self.assertEqual(self.do(root, "lintian --allow-root --fail-on error,warning /tmp/evoloop.deb"), "")
+        if root in OWN_ROOTS:
+            # It examines only the package, slowly on an emulated processor.
+            self.assertEqual(self.do(root, "lintian --allow-root --fail-on error,warning /tmp/evoloop.deb"), "")
 
     def completed(self, root: Path, *words: str) -> list[str]:
         """What bash completes the last word to."""
