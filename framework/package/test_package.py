@@ -1,5 +1,5 @@
 """The contents of the Debian package, and its behaviour in Debian systems: installed, run, upgraded, rolled back,
-removed, purged, and killed, frozen and stopped as a service.
+removed and purged; its service upgraded, killed, frozen, stopped and removed.
 
 Run by ./evoloop test --package, which has built the package and the Debian systems that EVOLOOP_ROOTS names.
 """
@@ -270,7 +270,7 @@ class BootTest(unittest.TestCase):
         self.assertEqual(warnings.count("/dev/ttyUSB0"), 1, warnings)
         self.do("systemctl stop evoloop@roomba")
 
-    def test_it_waits_is_killed_freezes_and_is_stopped(self) -> None:
+    def test_it_waits_is_upgraded_killed_frozen_stopped_and_removed(self) -> None:
         for root in OWN_ROOTS:
             with self.subTest(release=root.name):
                 shutil.copy(PACKAGE, root / "root/evoloop.deb")
@@ -283,6 +283,9 @@ class BootTest(unittest.TestCase):
                 self.do("systemctl daemon-reload && systemctl start evoloop@roomba")
                 self.do("evoloop ctl roomba press clean")
                 self.await_that(lambda: "original On, new On" in self.do("evoloop ctl roomba status"))
+                upgraded = self.of("MainPID")
+                self.do("dpkg -i /root/evoloop.deb")
+                self.await_another(upgraded)
                 killed = self.of("MainPID")
                 self.do(f"kill -KILL {killed}")
                 self.await_another(killed)
@@ -293,7 +296,9 @@ class BootTest(unittest.TestCase):
                 self.assertIn("Watchdog timeout", self.do("journalctl -b -u evoloop@roomba"))
                 self.do("systemctl stop evoloop@roomba")
                 self.assertEqual((self.of("Result"), self.of("ExecMainStatus")), ("success", "0"))
+                self.do("systemctl start evoloop@roomba")
                 self.do("dpkg --purge evoloop")
+                self.assertEqual(self.do("systemctl is-active evoloop@roomba || true"), "inactive")
                 self.doCleanups()
 
 
