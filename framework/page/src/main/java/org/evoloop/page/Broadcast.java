@@ -1,9 +1,9 @@
 package org.evoloop.page;
 
 import java.util.ArrayDeque;
-import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.stream.Collectors;
 import org.evoloop.console.JsonObject;
 import org.evoloop.console.StatusJson;
 import org.evoloop.converter.ConverterListener;
@@ -19,8 +19,8 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The converter's activity, for all viewers. It listens to the converter only while there is a viewer. A slow viewer
- * misses intermediate updates, never the newest; nothing waits for it and nothing is stored for it.
+ * The converter's activity, for all viewers. It listens to the converter only while there is a viewer. All viewers get
+ * the same updates; a slow one misses some, never the newest. Nothing waits for it and nothing is stored for it.
  *
  * <p>Threading: thread-safe.
  */
@@ -43,28 +43,57 @@ final class Broadcast {
      * @param last the number of the last event that ended
      * @param events the events that are new to the viewer, oldest first, at most {@value #RECENT}
      */
-    record Update(long number, String status, String readings, long last, List<HistoryEntry> events) {
+    record Update(long number, String status, String readings, long last, List<Ended> events) {
         /** The update as JSON for the page. */
         String json() {
-            List<String> entries = new ArrayList<>();
-            for (HistoryEntry event : events) {
-                entries.add(EntryJson.of(event).toString());
-            }
             return "{\"status\":" + status + ",\"readings\":" + readings + ",\"last\":" + last + ",\"events\":["
-                    + String.join(",", entries) + "]}";
+                    + events.stream().map(Ended::json).collect(Collectors.joining(",")) + "]}";
+        }
+
+        private Update since(long seenEvent) {
+            return new Update(
+                    number,
+                    status,
+                    readings,
+                    last,
+                    events.stream().filter(event -> event.number > seenEvent).toList());
+        }
+    }
+
+    /** An event that has ended, formatted when a viewer first needs it. */
+    static final class Ended {
+        private final long number;
+        private final HistoryEntry entry;
+        private @Nullable String json;
+
+        private Ended(HistoryEntry entry) {
+            this.number = entry.number();
+            this.entry = entry;
+        }
+
+        private synchronized String json() {
+            String known = json;
+            if (known == null) {
+                known = EntryJson.of(entry).toString();
+                json = known;
+            }
+            return known;
         }
     }
 
     private final SystemEventConverter converter;
     private final Clock clock;
-    private final Deque<HistoryEntry> recent = new ArrayDeque<>();
+    private final Deque<Ended> recent = new ArrayDeque<>();
     private int viewers;
-    private long number;
     private long last;
-    private String status = "";
-    private String readings = "";
-    private long statusOf = -1;
-    private long statusNanos;
+
+    /** The newest update, with all recent events. */
+    private Update newest = new Update(0, "", "", 0, List.of());
+
+    private long newestNanos;
+
+    /** Whether anything has happened since the newest update. */
+    private boolean news;
 
     private final ConverterListener listener = new ConverterListener() {
         @Override
@@ -99,16 +128,19 @@ final class Broadcast {
         this.clock = clock;
     }
 
+    /** Wakes the viewers only for the first news after an update, since this is called for every event. */
     private synchronized void update(@Nullable HistoryEntry entry) {
         if (entry != null) {
-            recent.add(entry);
+            recent.add(new Ended(entry));
             last = entry.number();
             if (recent.size() > RECENT) {
                 recent.remove();
             }
         }
-        number++;
-        notifyAll();
+        if (!news) {
+            news = true;
+            notifyAll();
+        }
     }
 
     /** Adds a viewer. */
@@ -116,8 +148,9 @@ final class Broadcast {
         if (viewers++ == 0) {
             recent.clear();
             converter.addListener(listener);
-            List<HistoryEntry> newest = converter.history();
-            last = newest.isEmpty() ? 0 : newest.get(newest.size() - 1).number();
+            List<HistoryEntry> before = converter.history();
+            last = before.isEmpty() ? 0 : before.get(before.size() - 1).number();
+            renew();
         }
     }
 
@@ -134,45 +167,30 @@ final class Broadcast {
     }
 
     /**
-     * Waits for news, at most a second.
+     * Waits for the next update, at most a second.
      *
      * @param seen the number of the previous update; -1 for none
      * @param seenEvent the number of the last event that the viewer has
      */
-    Update after(long seen, long seenEvent) throws InterruptedException {
-        synchronized (this) {
-            if (seen >= 0) {
-                await(PAUSE_NANOS, Long.MAX_VALUE);
-            }
-            await(LOOK_NANOS, seen);
-        }
-        return update(seenEvent);
-    }
-
-    private synchronized void await(long nanos, long seen) throws InterruptedException {
-        long end = clock.nanoTime() + nanos;
-        for (long left = nanos; number <= seen && left > 0; left = end - clock.nanoTime()) {
-            wait(left / 1_000_000, (int) (left % 1_000_000));
-        }
-    }
-
-    private synchronized Update update(long seenEvent) {
-        long now = clock.nanoTime();
-        if (statusOf != number || now - statusNanos >= LOOK_NANOS / 2) {
-            // Once for all viewers.
-            ConverterStatus is = converter.status();
-            status = StatusJson.of(is);
-            readings = readings(is);
-            statusOf = number;
-            statusNanos = now;
-        }
-        List<HistoryEntry> missed = new ArrayList<>();
-        for (HistoryEntry entry : recent) {
-            if (entry.number() > seenEvent) {
-                missed.add(entry);
+    synchronized Update after(long seen, long seenEvent) throws InterruptedException {
+        while (newest.number() <= seen) {
+            long left = (news ? PAUSE_NANOS : LOOK_NANOS) - (clock.nanoTime() - newestNanos);
+            if (left > 0) {
+                wait(left / 1_000_000, (int) (left % 1_000_000));
+            } else {
+                renew();
             }
         }
-        return new Update(number, status, readings, last, missed);
+        return newest.since(seenEvent);
+    }
+
+    /** Makes an update, once for all viewers. */
+    private synchronized void renew() {
+        ConverterStatus status = converter.status();
+        newest = new Update(newest.number() + 1, StatusJson.of(status), readings(status), last, List.copyOf(recent));
+        newestNanos = clock.nanoTime();
+        news = false;
+        notifyAll();
     }
 
     private static String readings(ConverterStatus status) {

@@ -17,6 +17,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import org.awaitility.Awaitility;
+import org.evoloop.time.SystemClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -115,6 +116,22 @@ class ViewersTest {
             assertThat(update.at("/events/0/decision/steps/0/sends").asString()).isEqualTo("Clean");
             assertThat(update.at("/status/newState").asString()).isEqualTo("On");
             assertThat(update.path("last").asLong()).isEqualTo(1);
+        }
+    }
+
+    @Test
+    void anUpdateIsMadeOnceForAllViewers() throws InterruptedException {
+        try (SystemClock clock = new SystemClock()) {
+            Broadcast broadcast = new Broadcast(shown.converter, clock);
+            broadcast.join();
+            Broadcast.Update seen = broadcast.after(-1, Long.MAX_VALUE);
+            shown.panel.press("Clean");
+            Broadcast.Update news = broadcast.after(seen.number(), 0);
+            shown.battery.set(50);
+            Broadcast.Update again = broadcast.after(seen.number(), 0);
+            assertThat(again.json()).isEqualTo(news.json()).doesNotContain("50 %");
+            assertThat(broadcast.after(again.number(), 0).readings()).contains("50 %");
+            broadcast.leave();
         }
     }
 
