@@ -8,6 +8,7 @@ import java.util.function.ObjLongConsumer;
 import org.apache.kafka.streams.KeyValue;
 import org.apache.kafka.streams.state.KeyValueIterator;
 import org.apache.kafka.streams.state.KeyValueStore;
+import org.evoloop.core.Rules;
 import org.evoloop.core.text.SnapshotException;
 import org.evoloop.fleet.device.Device;
 import org.evoloop.fleet.device.DeviceState;
@@ -91,7 +92,9 @@ final class Devices {
             while (each.hasNext()) {
                 KeyValue<String, byte[]> next = each.next();
                 try {
-                    consumer.accept(next.key, Device.dueNanos(read(next.value), patienceNanos));
+                    DeviceState state = read(next.value);
+                    Rules rules = library.model(state.model()).rules();
+                    consumer.accept(next.key, Device.dueNanos(rules, state, patienceNanos));
                 } catch (Refusal refusal) {
                     LOG.error("the timers of the device {} are not watched: {}", next.key, refusal.detail());
                 }
