@@ -9,6 +9,7 @@ import java.util.Random;
 import org.evoloop.fleet.BrokerProcess;
 import org.evoloop.fleet.JavaProcess;
 import org.evoloop.fleet.Main;
+import org.evoloop.fleet.MemoryFleetProcess;
 import org.evoloop.fleet.Models;
 import org.evoloop.fleet.broker.LocalBroker;
 import org.junit.jupiter.api.Tag;
@@ -21,6 +22,10 @@ import org.junit.jupiter.api.io.TempDir;
 class KillTest {
     private static final int INSTANCES = 3;
     private static final String FLEET = "killed";
+    private static final String SESSION_MILLIS = "3000";
+
+    /** So many of the instances keep their devices in memory, the others on disk. */
+    private static final int IN_MEMORY = Integer.getInteger("inMemory", 1);
 
     @TempDir(cleanup = CleanupMode.ON_SUCCESS)
     private Path directory;
@@ -67,18 +72,21 @@ class KillTest {
     }
 
     private synchronized void start(int number, String bootstrap) {
-        Process instance = JavaProcess.start(
-                directory,
-                Main.class,
-                "fleet",
-                "--bootstrap",
-                bootstrap,
-                "--name",
-                FLEET,
-                "--session-ms",
-                "3000",
-                "--state-dir",
-                directory.resolve("instance-" + number).toString());
+        String state = directory.resolve("instance-" + number).toString();
+        Process instance = number < IN_MEMORY
+                ? JavaProcess.start(directory, MemoryFleetProcess.class, bootstrap, FLEET, SESSION_MILLIS, state)
+                : JavaProcess.start(
+                        directory,
+                        Main.class,
+                        "fleet",
+                        "--bootstrap",
+                        bootstrap,
+                        "--name",
+                        FLEET,
+                        "--session-ms",
+                        SESSION_MILLIS,
+                        "--state-dir",
+                        state);
         instances.put(number, instance);
         instance.onExit().thenAccept(ended -> startAgain(number, ended, bootstrap));
     }
