@@ -32,8 +32,8 @@ import org.slf4j.LoggerFactory;
  *
  * <p>Records are numbered, stored in a file, and published repeatedly until the gateway confirms them; the fleet ignores
  * those that it already has. A record is in the file when {@link #observed} or {@link #answered} returns, and outlives the
- * process from then on; it is on the disk before it is published. A command's number is stored before the command is carried out; none is carried out twice, or
- * after its deadline.
+ * process from then on; it is on the disk before it is published. A command's number is stored before the command is
+ * carried out; none is carried out twice, or after its deadline.
  *
  * <p>Lifecycle: {@link #open}, {@link #close}.
  *
