@@ -9,7 +9,8 @@ import org.apache.kafka.streams.processor.api.Processor;
 import org.apache.kafka.streams.processor.api.ProcessorContext;
 import org.apache.kafka.streams.processor.api.Record;
 import org.apache.kafka.streams.state.KeyValueStore;
-import org.apache.kafka.streams.state.Stores;
+import org.evoloop.fleet.stream.FleetSettings;
+import org.evoloop.fleet.stream.FleetTopology;
 import org.evoloop.fleet.wire.Letters;
 import org.evoloop.fleet.wire.Topic;
 
@@ -31,7 +32,8 @@ final class PassThrough implements Processor<String, byte[], String, byte[]> {
         this.exchange = exchange;
     }
 
-    static Topology topology(String fleet, Exchange exchange) {
+    static Topology topology(FleetSettings settings, Exchange exchange) {
+        String fleet = settings.fleet();
         Topology topology = new Topology();
         for (Topic topic : IN) {
             topology.addSource(
@@ -45,10 +47,7 @@ final class PassThrough implements Processor<String, byte[], String, byte[]> {
                 "pass-through",
                 () -> new PassThrough(exchange),
                 IN.stream().map(topic -> "from-" + topic).toArray(String[]::new));
-        topology.addStateStore(
-                Stores.keyValueStoreBuilder(Stores.inMemoryKeyValueStore(STORE), Serdes.String(), Serdes.ByteArray())
-                        .withCachingEnabled(),
-                "pass-through");
+        topology.addStateStore(FleetTopology.devices(settings), "pass-through");
         for (Topic topic : OUT) {
             topology.addSink(
                     topic.name(),

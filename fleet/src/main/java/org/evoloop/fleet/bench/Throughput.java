@@ -95,7 +95,7 @@ final class Throughput {
     }
 
     private static Topology topology(FleetSettings settings, @Nullable Exchange exchange) {
-        return exchange != null ? PassThrough.topology(settings.fleet(), exchange) : FleetTopology.of(settings);
+        return exchange != null ? PassThrough.topology(settings, exchange) : FleetTopology.of(settings);
     }
 
     private Fleet started(FleetSettings settings, Topology topology) throws InterruptedException {

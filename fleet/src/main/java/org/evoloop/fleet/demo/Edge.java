@@ -46,6 +46,7 @@ final class Edge implements AutoCloseable {
     private final KafkaConsumer<String, byte[]> consumer;
     private final Map<String, SimulatedLamp> lamps = new LinkedHashMap<>();
     private final List<String> ids = new ArrayList<>();
+    private final long[] lastPresses;
     private final Counts counts = new Counts();
     private final Latencies latencies = new Latencies();
     private final Set<String> brokenModels;
@@ -67,10 +68,9 @@ final class Edge implements AutoCloseable {
     Edge(String bootstrap, String fleet, StateMachine lamp, int number, Set<String> brokenModels) {
         this.fleet = fleet;
         this.brokenModels = brokenModels;
-        this.producer = new KafkaProducer<>(
-                Map.of(ProducerConfig.BOOTSTRAP_SERVERS_CONFIG, bootstrap, ProducerConfig.LINGER_MS_CONFIG, 2),
-                new StringSerializer(),
-                new ByteArraySerializer());
+        this.lastPresses = new long[number];
+        this.producer =
+                new KafkaProducer<>(producerSettings(bootstrap), new StringSerializer(), new ByteArraySerializer());
         this.consumer = new KafkaConsumer<>(
                 Map.of(
                         ConsumerConfig.BOOTSTRAP_SERVERS_CONFIG,
@@ -97,6 +97,20 @@ final class Edge implements AutoCloseable {
         }
     }
 
+    /**
+     * Only one request is on its way at a time. Presses are not numbered, so the fleet would decide a press twice that is
+     * written twice; and a broker that was killed recognises only the last batch of a producer when it is sent again.
+     */
+    static Map<String, Object> producerSettings(String bootstrap) {
+        return Map.of(
+                ProducerConfig.BOOTSTRAP_SERVERS_CONFIG,
+                bootstrap,
+                ProducerConfig.LINGER_MS_CONFIG,
+                2,
+                ProducerConfig.MAX_IN_FLIGHT_REQUESTS_PER_CONNECTION,
+                1);
+    }
+
     void write(Topic topic, String key, byte[] record) {
         Future<RecordMetadata> sent = producer.send(new ProducerRecord<>(topic.of(fleet), key, record), (at, cause) -> {
             if (cause != null) {
@@ -114,10 +128,11 @@ final class Edge implements AutoCloseable {
         producer.flush();
     }
 
-    /** Operates the switch of a lamp. */
+    /** Operates the switch of a lamp. No two presses of a lamp have the same time, so that decisions can be told apart. */
     void press(int lamp) {
         String id = ids.get(lamp);
-        long now = nowNanos();
+        long now = Math.max(nowNanos(), lastPresses[lamp] + Wire.nanos(1));
+        lastPresses[lamp] = now;
         Occurrence press = new Occurrence.Heard(SWITCH, Values.NONE, Source.CONTROLLER, Occurrence.ANY_VISIT, now);
         write(Topic.OCCURRENCES, id, Wire.occurrence(press, 0));
         SimulatedLamp pressed = lamps.get(id);

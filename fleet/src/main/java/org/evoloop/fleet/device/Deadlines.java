@@ -4,6 +4,7 @@ import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
 import org.evoloop.core.Pending;
+import org.evoloop.core.Rules;
 import org.evoloop.core.Snapshot;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
@@ -17,10 +18,16 @@ final class Deadlines {
 
     private Deadlines() {}
 
-    /** The first timer of the visit to expire; null if none runs, or all have expired and their events are queued. */
-    static Map.@Nullable Entry<Event, Long> next(Snapshot snapshot) {
+    /**
+     * The first timer of the visit to expire; null if none runs, or all have expired and their events are queued, or the
+     * queue has no room for one.
+     */
+    static Map.@Nullable Entry<Event, Long> next(Snapshot snapshot, Rules rules) {
         Map<Event, Long> deadlines = snapshot.visit().deadlines();
-        if (deadlines.isEmpty() || !snapshot.open() || snapshot.visit().over()) {
+        if (deadlines.isEmpty()
+                || !snapshot.open()
+                || snapshot.visit().over()
+                || snapshot.waiting().size() >= rules.mostWaiting()) {
             return null;
         }
         Set<Event> waiting = waiting(snapshot);

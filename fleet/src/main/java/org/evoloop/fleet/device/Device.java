@@ -10,6 +10,7 @@ import org.evoloop.core.Core;
 import org.evoloop.core.Output;
 import org.evoloop.core.Outputs;
 import org.evoloop.core.Pending;
+import org.evoloop.core.Rules;
 import org.evoloop.core.Snapshot;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
@@ -161,11 +162,11 @@ public final class Device {
         long last = NEVER;
         while (true) {
             Snapshot snapshot = state.snapshot();
-            Map.Entry<Event, Long> timer = Deadlines.next(snapshot);
+            Map.Entry<Event, Long> timer = Deadlines.next(snapshot, core.rules());
             long timerNanos = timer == null ? NEVER : timer.getValue();
             long orderNanos = orderDue(open, patienceNanos);
             long next = Math.min(timerNanos, orderNanos);
-            // If the queue is full, the timer is tried again in the next call.
+            // Of an event that the models do not know, the core takes no notice.
             if (next > atNanos || (timerNanos <= orderNanos && next == last)) {
                 return;
             }
@@ -193,9 +194,23 @@ public final class Device {
         return order == null ? NEVER : order.deadlineNanos() + patienceNanos;
     }
 
-    /** The time at which the next timer or answer is due; {@link #NEVER} if nothing is. */
-    public static long dueNanos(DeviceState state, long patienceNanos) {
-        Map.Entry<Event, Long> timer = Deadlines.next(state.snapshot());
+    /** When the next timer or answer is due; {@link #NEVER} if nothing is, or a timer waits for room in the queue. */
+    public long dueNanos() {
+        return dueNanos(core.rules(), state, patienceNanos);
+    }
+
+    /** Whether anything may be due at a device in {@code state}, at any time. */
+    public static boolean mayBeDue(DeviceState state) {
+        return state.open() != null || !state.snapshot().visit().deadlines().isEmpty();
+    }
+
+    /**
+     * As {@link #dueNanos()}, of a stored state.
+     *
+     * @param rules those of its models
+     */
+    public static long dueNanos(Rules rules, DeviceState state, long patienceNanos) {
+        Map.Entry<Event, Long> timer = Deadlines.next(state.snapshot(), rules);
         return Math.min(orderDue(state.open(), patienceNanos), timer == null ? NEVER : timer.getValue());
     }
 

@@ -3,6 +3,7 @@ package org.evoloop.fleet.device;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
+import java.util.function.Function;
 import org.evoloop.core.Rules;
 import org.evoloop.core.text.SnapshotBytes;
 import org.evoloop.core.text.SnapshotException;
@@ -120,13 +121,13 @@ public final class DeviceStateBytes {
     /**
      * Reads {@code bytes}.
      *
-     * @param rules the rules of the version given by {@link #model}
+     * @param rules gives the rules of a version of models
      * @throws IllegalArgumentException if they are not such bytes
      * @throws SnapshotException if they name something that the models lack
      */
-    public static DeviceState read(Rules rules, byte[] bytes) {
+    public static DeviceState read(Function<String, Rules> rules, byte[] bytes) {
         if (isText(bytes)) {
-            return DeviceStateText.read(rules, bytes);
+            return DeviceStateText.read(rules.apply(DeviceStateText.model(bytes)), bytes);
         }
         ByteBuffer head = begun(bytes);
         String model = model(head);
@@ -136,7 +137,7 @@ public final class DeviceStateBytes {
             Order.Open open = order(head);
             Order.Open lost = order(head);
             return new DeviceState(
-                    model, sequence, heard, open, lost, SnapshotBytes.read(rules, bytes, head.position()));
+                    model, sequence, heard, open, lost, SnapshotBytes.read(rules.apply(model), bytes, head.position()));
         } catch (BufferUnderflowException e) {
             throw damaged();
         }

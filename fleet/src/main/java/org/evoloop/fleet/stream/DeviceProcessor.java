@@ -176,7 +176,10 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
             }
         }
         send(id, timestamp);
-        agenda.set(id, Device.dueNanos(state, patienceNanos));
+        // With very many devices, to look for an entry that cannot be there takes as long as to decide.
+        if (Device.mayBeDue(state) || (before != null && Device.mayBeDue(before))) {
+            agenda.set(id, device.dueNanos());
+        }
     }
 
     private void send(String id, long timestamp) {

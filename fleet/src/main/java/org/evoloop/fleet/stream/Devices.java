@@ -1,13 +1,12 @@
 package org.evoloop.fleet.stream;
 
-import java.util.LinkedHashMap;
-import java.util.Map;
 import java.util.function.BiPredicate;
 import java.util.function.Consumer;
 import java.util.function.ObjLongConsumer;
 import org.apache.kafka.streams.KeyValue;
 import org.apache.kafka.streams.state.KeyValueIterator;
 import org.apache.kafka.streams.state.KeyValueStore;
+import org.evoloop.core.Rules;
 import org.evoloop.core.text.SnapshotException;
 import org.evoloop.fleet.device.Device;
 import org.evoloop.fleet.device.DeviceState;
@@ -25,20 +24,33 @@ final class Devices {
 
     private final KeyValueStore<String, byte[]> store;
     private final Library library;
-    private final Map<String, DeviceState> recent = new Recent();
+    private final Recent recent = new Recent();
 
-    /** The most recently used states: parsing a device's bytes takes longer than handling its record. */
-    private static final class Recent extends LinkedHashMap<String, DeviceState> {
-        private static final int MOST = 10_000;
-        private static final float LOAD = 0.75f;
+    /**
+     * States used recently, each at the place that its id's hash gives: reading a device's bytes takes longer than
+     * handling its record.
+     */
+    private static final class Recent {
+        private static final int PLACES = 1 << 11;
 
-        Recent() {
-            super(1_024, LOAD, true);
+        private final @Nullable String[] ids = new String[PLACES];
+        private final @Nullable DeviceState[] states = new DeviceState[PLACES];
+
+        private static int place(String id) {
+            int hash = id.hashCode();
+            return (hash ^ hash >>> 16) & (PLACES - 1);
         }
 
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<String, DeviceState> eldest) {
-            return size() > MOST;
+        @Nullable
+        DeviceState get(String id) {
+            int place = place(id);
+            return id.equals(ids[place]) ? states[place] : null;
+        }
+
+        void put(String id, @Nullable DeviceState state) {
+            int place = place(id);
+            ids[place] = id;
+            states[place] = state;
         }
     }
 
@@ -68,8 +80,7 @@ final class Devices {
 
     private DeviceState read(byte[] bytes) {
         try {
-            return DeviceStateBytes.read(
-                    library.model(DeviceStateBytes.model(bytes)).rules(), bytes);
+            return DeviceStateBytes.read(version -> library.model(version).rules(), bytes);
         } catch (SnapshotException | IllegalArgumentException e) {
             throw new Refusal(Refusal.Reason.UNUSABLE_STATE, "the stored state of the device: " + e.getMessage());
         }
@@ -82,7 +93,7 @@ final class Devices {
 
     void remove(String id) {
         store.delete(id);
-        recent.remove(id);
+        recent.put(id, null);
     }
 
     /** Passes each device's id, and when something is due there, to {@code consumer}. */
@@ -91,7 +102,9 @@ final class Devices {
             while (each.hasNext()) {
                 KeyValue<String, byte[]> next = each.next();
                 try {
-                    consumer.accept(next.key, Device.dueNanos(read(next.value), patienceNanos));
+                    DeviceState state = read(next.value);
+                    Rules rules = library.model(state.model()).rules();
+                    consumer.accept(next.key, Device.dueNanos(rules, state, patienceNanos));
                 } catch (Refusal refusal) {
                     LOG.error("the timers of the device {} are not watched: {}", next.key, refusal.detail());
                 }

@@ -42,8 +42,7 @@ public final class FleetTopology {
                 DEVICE,
                 () -> new DeviceProcessor(settings, topics),
                 IN.stream().map(FleetTopology::sourceOf).toArray(String[]::new));
-        topology.addStateStore(
-                store(DeviceProcessor.STORE, settings.isInMemory()).withCachingEnabled(), DEVICE);
+        topology.addStateStore(devices(settings), DEVICE);
         for (Topic topic : OUT) {
             sink(topology, topic, settings, DEVICE);
         }
@@ -54,6 +53,14 @@ public final class FleetTopology {
         global(topology, Topic.MODELS, DeviceProcessor.MODELS, settings);
         global(topology, Topic.ROLLOUTS, DeviceProcessor.ROLLOUTS, settings);
         return topology;
+    }
+
+    /**
+     * The store of the devices, {@code devices}. It has no cache: a device answers only what was committed, so that it
+     * rarely changes twice between two commits.
+     */
+    public static StoreBuilder<KeyValueStore<String, byte[]>> devices(FleetSettings settings) {
+        return store(DeviceProcessor.STORE, settings.isInMemory());
     }
 
     private static String sourceOf(Topic topic) {
@@ -80,7 +87,7 @@ public final class FleetTopology {
 
     private static StoreBuilder<KeyValueStore<String, byte[]>> store(String name, boolean inMemory) {
         KeyValueBytesStoreSupplier supplier =
-                inMemory ? Stores.inMemoryKeyValueStore(name) : Stores.persistentKeyValueStore(name);
+                inMemory ? MemoryStore.supplier(name) : Stores.persistentKeyValueStore(name);
         return Stores.keyValueStoreBuilder(supplier, Serdes.String(), Serdes.ByteArray());
     }
 

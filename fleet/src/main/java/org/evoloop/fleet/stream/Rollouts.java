@@ -72,6 +72,9 @@ final class Rollouts {
 
     /** The rollouts that brought {@code device} to {@code version} and count its results. */
     List<String> watching(String device, String version) {
+        if (all.isEmpty()) {
+            return List.of();
+        }
         List<String> watching = new ArrayList<>();
         for (Rollout rollout : all.values()) {
             if (rollout.isRolling() && rollout.to().equals(version) && rollout.takesIn(device)) {

@@ -1,6 +1,5 @@
 package org.evoloop.fleet.stream;
 
-import java.util.Comparator;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.PriorityQueue;
@@ -15,8 +14,7 @@ final class Schedule {
     private static final int FEW = 1_000;
 
     private final Map<String, Due> byDevice = new HashMap<>();
-    private final PriorityQueue<Due> inOrder = new PriorityQueue<>(
-            Comparator.<Due>comparingLong(due -> due.atNanos).thenComparing(due -> due.device));
+    private final PriorityQueue<Due> inOrder = new PriorityQueue<>(FEW, Schedule::inOrder);
 
     private static final class Due {
         private final long atNanos;
@@ -29,23 +27,28 @@ final class Schedule {
         }
     }
 
+    private static int inOrder(Due one, Due other) {
+        int byTime = Long.compare(one.atNanos, other.atNanos);
+        return byTime != 0 ? byTime : one.device.compareTo(other.device);
+    }
+
     /** @param atNanos {@link Device#NEVER} if nothing is due there */
     void set(String device, long atNanos) {
-        Due before = byDevice.get(device);
-        if (before != null && before.atNanos == atNanos) {
-            return;
-        } else if (before != null) {
-            before.cancelled = true;
-        }
-        if (atNanos != Device.NEVER) {
+        if (atNanos == Device.NEVER) {
+            cancel(byDevice.remove(device));
+        } else {
             Due due = new Due(atNanos, device);
-            byDevice.put(device, due);
+            cancel(byDevice.put(device, due));
             inOrder.add(due);
-        } else if (before != null) {
-            byDevice.remove(device);
         }
         if (inOrder.size() > FEW + 2 * byDevice.size()) {
             inOrder.removeIf(due -> due.cancelled);
+        }
+    }
+
+    private static void cancel(@Nullable Due due) {
+        if (due != null) {
+            due.cancelled = true;
         }
     }
 

@@ -111,9 +111,27 @@ final class Json {
     }
 
     private Json quoted(String words) {
-        octet('"');
-        room(words.length());
-        for (int at = 0; at < words.length(); at++) {
+        int count = words.length();
+        room(count + 2);
+        byte[] to = bytes;
+        int next = length;
+        to[next++] = '"';
+        for (int at = 0; at < count; at++) {
+            char each = words.charAt(at);
+            if (each < ' ' || each == '"' || each == '\\' || each >= ASCII) {
+                length = next;
+                return rest(words, at).octet('"');
+            }
+            to[next++] = (byte) each;
+        }
+        to[next++] = '"';
+        length = next;
+        return this;
+    }
+
+    /** Writes the characters from {@code from} on, of which the first cannot be written as it is. */
+    private Json rest(String words, int from) {
+        for (int at = from; at < words.length(); at++) {
             char each = words.charAt(at);
             if (each >= ASCII) {
                 // The next char may be the second half of this character.
@@ -122,7 +140,7 @@ final class Json {
             }
             ascii(each);
         }
-        return octet('"');
+        return this;
     }
 
     private void ascii(char each) {
@@ -164,8 +182,9 @@ final class Json {
     }
 
     private Json plain(String ascii) {
+        room(ascii.length());
         for (int at = 0; at < ascii.length(); at++) {
-            octet(ascii.charAt(at));
+            bytes[length++] = (byte) ascii.charAt(at);
         }
         return this;
     }

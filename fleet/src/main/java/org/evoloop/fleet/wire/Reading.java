@@ -1,5 +1,6 @@
 package org.evoloop.fleet.wire;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -16,8 +17,6 @@ import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.core.JacksonException;
-import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.json.JsonMapper;
 
 /**
  * A record read from a fleet's topics. Unknown members are ignored.
@@ -27,11 +26,16 @@ import tools.jackson.databind.json.JsonMapper;
  * @since 0.1
  */
 public final class Reading {
-    private static final JsonMapper MAPPER = new JsonMapper();
+    /** Doubles below it, and no others, fit in a long. */
+    private static final double MOST_WHOLE = 0x1p63;
 
-    private final JsonNode record;
+    private static final Source[] SOURCES = Source.values();
+    private static final Answer.Outcome[] OUTCOMES = Answer.Outcome.values();
+    private static final Order.Kind[] KINDS = Order.Kind.values();
 
-    private Reading(JsonNode record) {
+    private final Members record;
+
+    private Reading(Members record) {
         this.record = record;
     }
 
@@ -41,16 +45,16 @@ public final class Reading {
      * @throws Refusal if it is not a JSON object, or one of a newer schema
      */
     public static Reading of(byte @Nullable [] bytes) {
-        JsonNode node;
+        Members members;
         try {
-            node = bytes == null ? null : MAPPER.readTree(bytes);
+            members = bytes == null ? null : Members.read(bytes);
         } catch (JacksonException e) {
             throw malformed("it is not valid JSON: " + e.getOriginalMessage());
         }
-        if (node == null || !node.isObject()) {
+        if (members == null) {
             throw malformed("a JSON object was expected");
         }
-        Reading reading = new Reading(node);
+        Reading reading = new Reading(members);
         long schema = reading.number("schema", 1);
         if (schema > Wire.SCHEMA) {
             throw new Refusal(
@@ -65,7 +69,7 @@ public final class Reading {
     /** The occurrence in this record of {@link Topic#OCCURRENCES}. */
     public Occurrence occurrence() {
         long at = Wire.nanos(number("atMillis"));
-        String kind = record.has("kind") ? text("kind") : "heard";
+        String kind = text("kind", "heard");
         try {
             return switch (kind) {
                 case "found" -> new Occurrence.Found(new State(text("state")), at);
@@ -84,18 +88,18 @@ public final class Reading {
 
     /** The answer in this record of {@link Topic#EFFECTS}. */
     public Answer answer() {
-        String state = record.has("state") ? text("state") : null;
+        String state = record.get("state") == null ? null : text("state");
         return new Answer(
                 number("sequence"),
-                constant(Answer.Outcome.values(), "outcome"),
-                record.has("reason") ? text("reason") : "",
+                constant(OUTCOMES, "outcome"),
+                text("reason", ""),
                 state == null ? null : new State(state),
                 Wire.nanos(number("atMillis")));
     }
 
     /** The order in this record of {@link Topic#COMMANDS}. */
     public Order order() {
-        Order.Kind kind = constant(Order.Kind.values(), "kind");
+        Order.Kind kind = constant(KINDS, "kind");
         String what = kind == Order.Kind.LOCATE ? "" : text(kind == Order.Kind.SEND ? "event" : "effect");
         return new Order(
                 number("sequence"),
@@ -111,7 +115,7 @@ public final class Reading {
     }
 
     private Source source() {
-        Source source = record.has("source") ? constant(Source.values(), "source") : Source.CONTROLLER;
+        Source source = record.get("source") == null ? Source.CONTROLLER : constant(SOURCES, "source");
         if (source == Source.TIMER) {
             throw malformed("the source 'timer' is reserved for the fleet's own timers");
         }
@@ -129,94 +133,132 @@ public final class Reading {
     }
 
     private long visit() {
-        return record.has("visit") ? number("visit") : Occurrence.ANY_VISIT;
+        return number("visit", Occurrence.ANY_VISIT);
     }
 
     private Set<String> holding() {
-        JsonNode node = record.get("holding");
-        Set<String> holding = new HashSet<>();
-        if (node != null) {
-            node.forEach(each -> holding.add(each.asString()));
-        }
-        return holding;
+        List<String> texts = texts("holding");
+        return texts == null || texts.isEmpty() ? Set.of() : new HashSet<>(texts);
     }
 
     private Values values() {
-        JsonNode node = record.get("values");
-        if (node == null || node.isEmpty()) {
+        Members members = members("values");
+        if (members == null) {
             return Values.NONE;
         }
         Map<String, Object> values = new HashMap<>();
-        node.properties().forEach(each -> {
-            JsonNode value = each.getValue();
-            values.put(
-                    each.getKey(),
-                    value.isNumber()
-                            ? (Object) value.doubleValue()
-                            : value.isBoolean() ? (Object) value.booleanValue() : value.asString());
+        members.forEach((name, value) -> {
+            if (value instanceof Number number) {
+                values.put(name, number.doubleValue());
+            } else if (value instanceof String || value instanceof Boolean) {
+                values.put(name, value);
+            } else {
+                throw malformed("the value '" + name + "' must be a string, a number or a boolean");
+            }
         });
-        return new Values(values);
+        return values.isEmpty() ? Values.NONE : new Values(values);
     }
 
     /** The number of that name. */
     public long number(String name) {
-        JsonNode node = record.get(name);
-        if (node == null || !node.canConvertToLong()) {
-            throw malformed("'" + name + "' must be a whole number");
+        Object value = record.get(name);
+        if (value instanceof Long number) {
+            return number;
+        } else if (value instanceof Double number && number == Math.rint(number) && Math.abs(number) < MOST_WHOLE) {
+            return number.longValue();
         }
-        return node.longValue();
+        throw malformed("'" + name + "' must be a whole number");
     }
 
     /** The number of that name; {@code otherwise} if there is none. */
     public long number(String name, long otherwise) {
-        return record.has(name) ? number(name) : otherwise;
+        return record.get(name) == null ? otherwise : number(name);
     }
 
     /** The number of that name, possibly with a fraction; {@code otherwise} if there is none. */
     public double fraction(String name, double otherwise) {
-        JsonNode node = record.get(name);
-        if (node == null) {
+        Object value = record.get(name);
+        if (value == null) {
             return otherwise;
-        } else if (!node.isNumber()) {
-            throw malformed("'" + name + "' must be a number");
+        } else if (value instanceof Number number) {
+            return number.doubleValue();
         }
-        return node.doubleValue();
+        throw malformed("'" + name + "' must be a number");
     }
 
     /** The text of that name. */
     public String text(String name) {
-        JsonNode node = record.get(name);
-        if (node == null || !node.isString()) {
-            throw malformed("'" + name + "' must be a string");
+        if (record.get(name) instanceof String text) {
+            return text;
         }
-        return node.stringValue();
+        throw malformed("'" + name + "' must be a string");
     }
 
     /** The text of that name; {@code otherwise} if there is none. */
     public String text(String name, String otherwise) {
-        return record.has(name) ? text(name) : otherwise;
+        return record.get(name) == null ? otherwise : text(name);
     }
 
     private boolean truth(String name) {
-        JsonNode node = record.get(name);
-        return node != null && node.booleanValue();
+        Object value = record.get(name);
+        if (value == null || value instanceof Boolean) {
+            return Boolean.TRUE.equals(value);
+        }
+        throw malformed("'" + name + "' must be true or false");
+    }
+
+    private @Nullable Members members(String name) {
+        Object value = record.get(name);
+        if (value == null || value == Members.NULL) {
+            return null;
+        } else if (value instanceof Members members) {
+            return members;
+        }
+        throw malformed("'" + name + "' must be an object");
+    }
+
+    private @Nullable List<?> list(String name) {
+        Object value = record.get(name);
+        if (value == null || value == Members.NULL) {
+            return null;
+        } else if (value instanceof List<?> list) {
+            return list;
+        }
+        throw malformed("'" + name + "' must be a list");
     }
 
     /** The object of that name. */
     public Optional<Reading> inner(String name) {
-        return Optional.ofNullable(record.get(name)).map(Reading::new);
+        return Optional.ofNullable(members(name)).map(Reading::new);
     }
 
     /** The objects of that name, a list; none if there is no such list. */
     public List<Reading> each(String name) {
-        JsonNode node = record.get(name);
-        return node == null ? List.of() : node.valueStream().map(Reading::new).toList();
+        List<?> list = list(name);
+        List<Reading> each = new ArrayList<>();
+        for (Object value : list == null ? List.of() : list) {
+            if (!(value instanceof Members members)) {
+                throw malformed("'" + name + "' must be a list of objects");
+            }
+            each.add(new Reading(members));
+        }
+        return each;
     }
 
     /** The texts of that name, a list; null if there is no such list. */
     public @Nullable List<String> texts(String name) {
-        JsonNode node = record.get(name);
-        return node == null ? null : node.valueStream().map(JsonNode::asString).toList();
+        List<?> list = list(name);
+        if (list == null) {
+            return null;
+        }
+        List<String> texts = new ArrayList<>();
+        for (Object value : list) {
+            if (!(value instanceof String text)) {
+                throw malformed("'" + name + "' must be a list of strings");
+            }
+            texts.add(text);
+        }
+        return texts;
     }
 
     private static Refusal malformed(String detail) {

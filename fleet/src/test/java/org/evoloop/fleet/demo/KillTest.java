@@ -2,23 +2,19 @@ package org.evoloop.fleet.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.File;
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Random;
-import java.util.concurrent.TimeUnit;
-import org.apache.kafka.clients.admin.Admin;
 import org.evoloop.fleet.BrokerProcess;
+import org.evoloop.fleet.JavaProcess;
 import org.evoloop.fleet.Main;
+import org.evoloop.fleet.MemoryFleetProcess;
 import org.evoloop.fleet.Models;
 import org.evoloop.fleet.broker.LocalBroker;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.CleanupMode;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Processes that are killed (SIGKILL) while lamps are pressed. */
@@ -26,8 +22,12 @@ import org.junit.jupiter.api.io.TempDir;
 class KillTest {
     private static final int INSTANCES = 3;
     private static final String FLEET = "killed";
+    private static final String SESSION_MILLIS = "3000";
 
-    @TempDir
+    /** So many of the instances keep their devices in memory, the others on disk. */
+    private static final int IN_MEMORY = Integer.getInteger("inMemory", 1);
+
+    @TempDir(cleanup = CleanupMode.ON_SUCCESS)
     private Path directory;
 
     private final Random random = new Random(3);
@@ -37,10 +37,11 @@ class KillTest {
     @Test
     void nothingIsLostAndNothingIsDoneTwiceWhenInstancesAndTheBrokerAreKilled() throws Exception {
         int kills = Integer.getInteger("kills", 100);
+        int killsPerBroker = Integer.getInteger("killsPerBroker", 10);
         int port = LocalBroker.freePort();
         int controller = LocalBroker.freePort();
         String bootstrap = "localhost:" + port;
-        Process broker = broker(port, controller, bootstrap);
+        Process broker = BrokerProcess.start(directory, port, controller);
         try (PressedLamps lamps = new PressedLamps(bootstrap, FLEET, 60, Models.LAMP)) {
             for (int each = 0; each < INSTANCES; each++) {
                 start(each, bootstrap);
@@ -53,9 +54,9 @@ class KillTest {
                 lamps.press(100);
                 start(victim, bootstrap);
                 lamps.press(100);
-                if (kill % 10 == 0) {
-                    end(broker);
-                    broker = broker(port, controller, bootstrap);
+                if (kill % killsPerBroker == 0) {
+                    JavaProcess.kill(broker);
+                    broker = BrokerProcess.start(directory, port, controller);
                 }
                 lamps.awaitDecided(200L * kill);
                 System.out.println("kill " + kill + ", pressed " + lamps.pressed() + ", started again " + restarts);
@@ -66,22 +67,26 @@ class KillTest {
             for (int each = 0; each < INSTANCES; each++) {
                 kill(each);
             }
-            end(broker);
+            JavaProcess.kill(broker);
         }
     }
 
     private synchronized void start(int number, String bootstrap) {
-        Process instance = java(
-                Main.class,
-                "fleet",
-                "--bootstrap",
-                bootstrap,
-                "--name",
-                FLEET,
-                "--session-ms",
-                "3000",
-                "--state-dir",
-                directory.resolve("instance-" + number).toString());
+        String state = directory.resolve("instance-" + number).toString();
+        Process instance = number < IN_MEMORY
+                ? JavaProcess.start(directory, MemoryFleetProcess.class, bootstrap, FLEET, SESSION_MILLIS, state)
+                : JavaProcess.start(
+                        directory,
+                        Main.class,
+                        "fleet",
+                        "--bootstrap",
+                        bootstrap,
+                        "--name",
+                        FLEET,
+                        "--session-ms",
+                        SESSION_MILLIS,
+                        "--state-dir",
+                        state);
         instances.put(number, instance);
         instance.onExit().thenAccept(ended -> startAgain(number, ended, bootstrap));
     }
@@ -100,45 +105,7 @@ class KillTest {
             victim = instances.remove(number);
         }
         if (victim != null) {
-            end(victim);
+            JavaProcess.kill(victim);
         }
-    }
-
-    private Process broker(int port, int controller, String bootstrap) throws Exception {
-        Process broker = java(
-                BrokerProcess.class,
-                directory.resolve("broker").toString(),
-                String.valueOf(port),
-                String.valueOf(controller));
-        // The call returns as soon as the broker runs.
-        try (Admin admin = Admin.create(Map.of(
-                "bootstrap.servers", bootstrap, "default.api.timeout.ms", "120000", "request.timeout.ms", "5000"))) {
-            admin.describeCluster().nodes().get(120, TimeUnit.SECONDS);
-        }
-        return broker;
-    }
-
-    private Process java(Class<?> program, String... arguments) {
-        List<String> command = new ArrayList<>(List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-XX:TieredStopAtLevel=1",
-                "-XX:+UseSerialGC",
-                "-cp",
-                System.getProperty("java.class.path"),
-                program.getName()));
-        command.addAll(List.of(arguments));
-        File log = directory.resolve(program.getSimpleName() + ".log").toFile();
-        try {
-            return new ProcessBuilder(command)
-                    .redirectErrorStream(true)
-                    .redirectOutput(ProcessBuilder.Redirect.appendTo(log))
-                    .start();
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-    }
-
-    private static void end(Process process) throws InterruptedException {
-        process.destroyForcibly().waitFor();
     }
 }

@@ -16,10 +16,14 @@ import org.evoloop.statemachine.StateMachine;
 final class PressedLamps implements AutoCloseable {
     private static final Duration LIMIT = Duration.ofMinutes(4);
 
+    private final String bootstrap;
+    private final String fleet;
     private final Edge edge;
     private final Random random = new Random(7);
 
     PressedLamps(String bootstrap, String fleet, int number, ModelRecord models) {
+        this.bootstrap = bootstrap;
+        this.fleet = fleet;
         try (FleetTopics topics = new FleetTopics(bootstrap, fleet)) {
             topics.create(3);
         }
@@ -54,7 +58,11 @@ final class PressedLamps implements AutoCloseable {
     /** Waits until all expected records have arrived, and checks them. */
     void settle() {
         await(() -> edge.counts().switches >= edge.counts().pressed && edge.elsewhere() == 0 && edge.waiting() == 0);
-        assertThat(edge.counts().switches).as("each press is decided once").isEqualTo(edge.counts().pressed);
+        TopicAudit topics = TopicAudit.of(bootstrap, fleet);
+        assertThat(topics.problems()).as("the topics:\n" + topics).isEmpty();
+        assertThat(edge.counts().switches)
+                .as("presses decided; the topics:\n" + topics)
+                .isEqualTo(edge.counts().pressed);
         assertThat(edge.repeated()).as("commands that came twice").isZero();
         assertThat(edge.counts().commands).as("no command is left out").isEqualTo(edge.sequences());
         assertThat(edge.counts().timers).as("timers").isPositive();
@@ -67,7 +75,7 @@ final class PressedLamps implements AutoCloseable {
             if (System.nanoTime() - begun > LIMIT.toNanos()) {
                 throw new AssertionError("not within " + LIMIT + ": " + edge.counts().pressed + " pressed, "
                         + edge.counts().switches + " decided, " + edge.elsewhere() + " elsewhere, " + edge.waiting()
-                        + " waiting for a timer");
+                        + " waiting for a timer; the topics:\n" + TopicAudit.of(bootstrap, fleet));
             }
             edge.poll(Duration.ofMillis(50));
         }

@@ -87,7 +87,7 @@ class DeviceStateBytesTest {
         // Stored text is read, too.
         for (byte[] each : new byte[][] {text, bytes}) {
             assertThat(DeviceStateBytes.model(each)).isEqualTo("lamp-1");
-            assertThat(DeviceStateBytes.read(lamp.rules(), each)).isEqualTo(device.state());
+            assertThat(DeviceStateBytes.read(version -> lamp.rules(), each)).isEqualTo(device.state());
         }
     }
 
@@ -97,7 +97,7 @@ class DeviceStateBytesTest {
         byte[] bytes = DeviceStateBytes.write(device.state());
         for (int length = 0; length < bytes.length; length++) {
             byte[] part = Arrays.copyOf(bytes, length);
-            assertThatThrownBy(() -> DeviceStateBytes.read(lamp.rules(), part))
+            assertThatThrownBy(() -> DeviceStateBytes.read(version -> lamp.rules(), part))
                     .isInstanceOfAny(IllegalArgumentException.class, SnapshotException.class);
         }
     }

@@ -23,6 +23,7 @@ class DeviceTest implements DeviceListener {
     private final List<Order> orders = new ArrayList<>();
     private final List<Output.Ended> ended = new ArrayList<>();
     private final Device device = new Device(lamp, 30 * SECOND, this, SECOND);
+    private int dropped;
 
     @Override
     public void ordered(Order order) {
@@ -33,6 +34,8 @@ class DeviceTest implements DeviceListener {
     public void noted(Output.Notice notice) {
         if (notice instanceof Output.Ended end) {
             ended.add(end);
+        } else if (notice instanceof Output.Dropped) {
+            dropped++;
         }
     }
 
@@ -53,7 +56,7 @@ class DeviceTest implements DeviceListener {
     @Test
     void aTimerIsDueBeforeWhatHappensLaterAndNotBeforeItsTime() {
         waiting();
-        assertThat(Device.dueNanos(device.state(), 30 * SECOND)).isEqualTo(6 * SECOND);
+        assertThat(device.dueNanos()).isEqualTo(6 * SECOND);
         device.due(6 * SECOND - 1);
         assertThat(orders).hasSize(1);
         device.due(6 * SECOND);
@@ -73,13 +76,13 @@ class DeviceTest implements DeviceListener {
     @Test
     void anOrderWithoutAnAnswerIsGivenUpAndTheDeviceIsAsked() {
         press(2 * SECOND);
-        long due = Device.dueNanos(device.state(), 30 * SECOND);
+        long due = device.dueNanos();
         assertThat(due).isEqualTo(62 * SECOND);
         device.due(due);
         assertThat(orders.get(1).kind()).isEqualTo(Order.Kind.LOCATE);
         device.answered(new Answer(2, Answer.Outcome.SENT, "", new State("on"), 63 * SECOND));
         assertThat(device.state().snapshot().at().original()).isEqualTo(new State("on"));
-        assertThat(Device.dueNanos(device.state(), 30 * SECOND)).isEqualTo(Device.NEVER);
+        assertThat(device.dueNanos()).isEqualTo(Device.NEVER);
     }
 
     @Test
@@ -101,7 +104,31 @@ class DeviceTest implements DeviceListener {
         assertThat(device.evolve(takeover, 3 * SECOND)).isEmpty();
         assertThat(device.model()).isEqualTo("lamp-2");
         press(4 * SECOND);
-        assertThat(Device.dueNanos(device.state(), 30 * SECOND)).isEqualTo(4 * SECOND + SECOND / 2);
+        assertThat(device.dueNanos()).isEqualTo(4 * SECOND + SECOND / 2);
+    }
+
+    @Test
+    void aTimerWaitsUntilTheQueueHasRoomForIt() {
+        waiting();
+        int most = lamp.rules().mostWaiting();
+        for (int asked = 0; asked <= most; asked++) {
+            device.observed(new Occurrence.Asked(new Event("switch"), Values.NONE, 0, 5 * SECOND));
+        }
+        assertThat(device.state().snapshot().waiting()).hasSize(most);
+        device.due(7 * SECOND);
+        assertThat(device.dueNanos()).isEqualTo(65 * SECOND);
+        answer(2, Answer.Outcome.FAILED, 8 * SECOND);
+        assertThat(device.dueNanos()).isEqualTo(6 * SECOND);
+        device.due(9 * SECOND);
+        assertThat(device.dueNanos()).isEqualTo(68 * SECOND);
+        for (int order = 3; order <= most + 2; order++) {
+            answer(order, Answer.Outcome.FAILED, 10 * SECOND);
+        }
+        // What was asked for has failed; the timer, which was the last in the queue, switches the lamp off.
+        assertThat(orders).hasSize(most + 3);
+        answer(most + 3, Answer.Outcome.SENT, 11 * SECOND);
+        assertThat(ended.get(ended.size() - 1).occurrence().source()).isEqualTo(Source.TIMER);
+        assertThat(dropped).isZero();
     }
 
     private void waiting() {

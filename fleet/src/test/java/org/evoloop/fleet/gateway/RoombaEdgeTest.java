@@ -14,6 +14,7 @@ import org.awaitility.Awaitility;
 import org.evoloop.fleet.Brokers;
 import org.evoloop.fleet.Cluster;
 import org.evoloop.fleet.Models;
+import org.evoloop.fleet.broker.LocalBroker;
 import org.evoloop.fleet.stream.Fleet;
 import org.evoloop.fleet.stream.FleetSettings;
 import org.evoloop.fleet.wire.Reading;
@@ -49,14 +50,9 @@ class RoombaEdgeTest {
         try (Mosquitto mosquitto = new Mosquitto(directory).start();
                 Cluster cluster = Cluster.fresh(2);
                 Fleet fleet = new Fleet(Brokers.shared(), settings(cluster))) {
-            cluster.write(Topic.MODELS, "robot-1", Models.ROBOT.bytes());
-            cluster.flush();
-            fleet.start();
-            assertThat(fleet.awaitRunning(LIMIT)).isTrue();
-            cluster.write(Topic.DEVICES, ROBOT, Wire.device("robot-1"));
-            awaitState(cluster, "Off", "Off");
-            Process gateway = gateway(cluster, mosquitto);
-            Process edge = edge(mosquitto, "60");
+            serveRobot(fleet, cluster);
+            Process gateway = gateway(Brokers.shared(), cluster, mosquitto);
+            Process edge = edge(mosquitto, "--no-guard", "--spot-wait", "60");
 
             // First the robot acts by itself and the fleet follows; then it is under control and the fleet decides.
             awaitLog("edge-2", "the gateway's broker can be reached");
@@ -72,12 +68,12 @@ class RoombaEdgeTest {
             kill(gateway);
             roomba.press(Button.CLEAN);
             roomba.until(robot -> robot.activity() == RobotActivity.ON);
-            gateway(cluster, mosquitto);
+            gateway(Brokers.shared(), cluster, mosquitto);
             awaitState(cluster, "On", "SpotWait");
 
             // The edge is killed; the new state's function restarts, and ends the state.
             kill(edge);
-            edge(mosquitto, "1");
+            edge(mosquitto, "--no-guard", "--spot-wait", "1");
             awaitState(cluster, "On", "On");
 
             // Move runs at the robot, which cleans where it arrives.
@@ -94,6 +90,87 @@ class RoombaEdgeTest {
                     .hasSizeBetween(5, 6);
             assertThat(cluster.records().of(Topic.DEAD_LETTERS)).isEmpty();
         }
+    }
+
+    @Test
+    void whatTheRobotDoesWhileKafkaIsAwayOrItsCableIsPulledIsKnownAfterwards() throws Exception {
+        int port = LocalBroker.freePort();
+        int controller = LocalBroker.freePort();
+        Path kafka = directory.resolve("kafka");
+        LocalBroker broker = LocalBroker.start(kafka, port, controller);
+        try (Mosquitto mosquitto = new Mosquitto(directory).start();
+                Cluster cluster = new Cluster(broker.bootstrap(), "robots", 2);
+                Fleet fleet = new Fleet(broker.bootstrap(), settings(cluster))) {
+            serveRobot(fleet, cluster);
+            gateway(broker.bootstrap(), cluster, mosquitto);
+            edge(mosquitto, "--no-guard", "--spot-wait", "1");
+            awaitLog("edge-2", "the gateway's broker can be reached");
+            roomba.press(Button.CLEAN);
+            pressUntilCleaning(cluster);
+
+            // Kafka stops, and somebody stops the robot, which is told when Kafka is back: it leads to SpotWait.
+            broker.close();
+            roomba.press(Button.CLEAN);
+            roomba.until(robot -> robot.activity() == RobotActivity.ON);
+            broker = LocalBroker.start(kafka, port, controller);
+            cluster.readUntil(records -> records.of(Topic.STATES, ROBOT).stream()
+                    .anyMatch(state -> state.contains("\"device\":\"On\",\"system\":\"SpotWait\"")));
+            awaitState(cluster, "On", "On");
+            pressUntilCleaning(cluster);
+
+            // Somebody stops the robot while its cable is pulled: it is found standing when the cable is back.
+            roomba.unplug();
+            roomba.press(Button.CLEAN);
+            roomba.until(robot -> robot.activity() == RobotActivity.ON);
+            roomba.replug();
+            awaitState(cluster, "On", "On");
+            pressUntilCleaning(cluster);
+            assertThat(sent(cluster)).containsExactly("Clean", "Clean", "Clean");
+            assertThat(cluster.records().of(Topic.DEAD_LETTERS)).isEmpty();
+        } finally {
+            broker.close();
+        }
+    }
+
+    @Test
+    void theGuardStopsTheRobotWhoseEdgeIsKilled() throws Exception {
+        try (Mosquitto mosquitto = new Mosquitto(directory).start();
+                Cluster cluster = Cluster.fresh(2);
+                Fleet fleet = new Fleet(Brokers.shared(), settings(cluster))) {
+            serveRobot(fleet, cluster);
+            gateway(Brokers.shared(), cluster, mosquitto);
+            Process edge = edge(mosquitto, "--start-point", "100000,0");
+            awaitLog("edge-2", "the gateway's broker can be reached");
+            roomba.press(Button.CLEAN);
+            awaitState(cluster, "On", "On");
+            roomba.until(robot -> robot.oiMode() == OiMode.SAFE);
+            roomba.press(Button.SPOT);
+            awaitState(cluster, "On", "Move");
+            roomba.until(robot -> robot.leftMmPerS() > 0 && robot.rightMmPerS() > 0);
+            kill(edge);
+            roomba.until(
+                    robot -> robot.leftMmPerS() == 0 && robot.rightMmPerS() == 0 && robot.oiMode() == OiMode.PASSIVE);
+            edge(mosquitto, "--start-point", "100000,0");
+            awaitLog("edge-3", "the gateway's broker can be reached");
+        }
+    }
+
+    private static void serveRobot(Fleet fleet, Cluster cluster) throws InterruptedException {
+        cluster.write(Topic.MODELS, "robot-1", Models.ROBOT.bytes());
+        cluster.flush();
+        fleet.start();
+        assertThat(fleet.awaitRunning(LIMIT)).isTrue();
+        cluster.write(Topic.DEVICES, ROBOT, Wire.device("robot-1"));
+        awaitState(cluster, "Off", "Off");
+    }
+
+    /** The robot, which is on, is pressed once it is under control. */
+    private void pressUntilCleaning(Cluster cluster) throws InterruptedException {
+        awaitState(cluster, "On", "On");
+        roomba.until(robot -> robot.oiMode() == OiMode.SAFE);
+        roomba.press(Button.CLEAN);
+        awaitState(cluster, "Clean", "Clean");
+        roomba.until(robot -> robot.activity() == RobotActivity.CLEAN);
     }
 
     private FleetSettings settings(Cluster cluster) {
@@ -127,14 +204,14 @@ class RoombaEdgeTest {
                 .toList();
     }
 
-    private Process gateway(Cluster cluster, Mosquitto mosquitto) {
+    private Process gateway(String bootstrap, Cluster cluster, Mosquitto mosquitto) {
         return start(
                 "gateway",
                 "org.evoloop.fleet.Main",
                 List.of(
                         "gateway",
                         "--bootstrap",
-                        bootstrap(),
+                        bootstrap,
                         "--name",
                         cluster.fleet(),
                         "--mqtt",
@@ -145,37 +222,26 @@ class RoombaEdgeTest {
                         directory.resolve("gateway").toString()));
     }
 
-    private static String bootstrap() {
-        try {
-            return Brokers.shared();
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-    }
-
-    private Process edge(Mosquitto mosquitto, String spotWait) {
+    private Process edge(Mosquitto mosquitto, String... options) {
         String models = Path.of(System.getProperty("evoloop.root", ".."), "models/cleaning-robot.xml")
                 .toString();
-        return start(
+        List<String> arguments = new ArrayList<>(List.of(
                 "edge",
-                "org.evoloop.roomba.Main",
-                List.of(
-                        "edge",
-                        "--port",
-                        roomba.port().toString(),
-                        "--device",
-                        ROBOT,
-                        "--mqtt",
-                        mosquitto.url(),
-                        "--journal",
-                        directory.resolve("edge").toString(),
-                        "--no-guard",
-                        "--models",
-                        models,
-                        "--spot-wait",
-                        spotWait,
-                        "--start-point",
-                        "300,0"));
+                "--port",
+                roomba.port().toString(),
+                "--device",
+                ROBOT,
+                "--mqtt",
+                mosquitto.url(),
+                "--journal",
+                directory.resolve("edge").toString(),
+                "--models",
+                models));
+        arguments.addAll(List.of(options));
+        if (!arguments.contains("--start-point")) {
+            arguments.addAll(List.of("--start-point", "300,0"));
+        }
+        return start("edge", "org.evoloop.roomba.Main", arguments);
     }
 
     private Process start(String name, String program, List<String> arguments) {

@@ -127,10 +127,9 @@ final class Arrivals {
         long number = ledger.counts.observe();
         boolean hasHappened = from != null || occurrence.isFact();
         boolean mayBeLost = !hasHappened && occurrence.source().isButton();
-        int capacity = ledger.rules.queueCapacity();
         if (mayBeLost
-                ? ledger.line.hasRoom(capacity, ledger.progress.isIdle())
-                : ledger.line.hasRoomForFacts(capacity)) {
+                ? ledger.line.hasRoom(ledger.rules.queueCapacity(), ledger.progress.isIdle())
+                : ledger.line.hasRoomForFacts(ledger.rules)) {
             ledger.line.add(new Pending(number, occurrence, from, own, ledger.place.steps(), 0));
             ledger.out.queued(occurrence);
         } else {

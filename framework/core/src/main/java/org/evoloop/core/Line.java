@@ -36,8 +36,8 @@ final class Line {
         return waiting.size() < Math.max(capacity, idle ? 1 : 0);
     }
 
-    boolean hasRoomForFacts(int capacity) {
-        return waiting.size() < capacity + MOST_FACTS;
+    boolean hasRoomForFacts(Rules rules) {
+        return waiting.size() < rules.mostWaiting();
     }
 
     void add(Pending pending) {

@@ -61,6 +61,11 @@ public record Rules(DecisionTable table, Timers timers, int queueCapacity) {
         return known.startsIn(at) ? known : table.react(at, table.resolve(at, event, holds), pending.own(), byItself);
     }
 
+    /** How many events at most may wait, if they are facts, or were raised by timers or functions. */
+    public int mostWaiting() {
+        return queueCapacity + Line.MOST_FACTS;
+    }
+
     /** A copy with other decisions. */
     public Rules with(DecisionTable newTable) {
         return new Rules(newTable, timers, queueCapacity);

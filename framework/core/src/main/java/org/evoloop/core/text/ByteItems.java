@@ -100,9 +100,20 @@ final class ByteItems extends Items {
         if (count > (bytes.length - place) / (wide ? 2 : 1)) {
             throw damaged("a text is longer than the rest");
         }
-        char[] characters = new char[(int) count];
-        for (int at = 0; at < characters.length; at++) {
-            characters[at] = (char) (wide ? (octet() << Byte.SIZE) | octet() : octet());
+        return wide ? wide((int) count) : narrow((int) count);
+    }
+
+    @SuppressWarnings("deprecation") // What it does not do, decode, is not wanted; charsets are not for the core.
+    private String narrow(int count) {
+        String text = new String(bytes, 0, place, count);
+        place += count;
+        return text;
+    }
+
+    private String wide(int count) {
+        char[] characters = new char[count];
+        for (int at = 0; at < count; at++) {
+            characters[at] = (char) ((octet() << Byte.SIZE) | octet());
         }
         return new String(characters);
     }

@@ -19,6 +19,9 @@ final class ByteWriter extends ItemWriter {
 
     private static final char MOST_NARROW = 0xff;
 
+    /** The most bytes of a number. */
+    private static final int MOST_OF_NUMBER = 10;
+
     /** Large enough for most snapshots. */
     private static final int CAPACITY = 192;
 
@@ -80,12 +83,17 @@ final class ByteWriter extends ItemWriter {
     }
 
     private ItemWriter unsigned(long number) {
+        room(MOST_OF_NUMBER);
+        byte[] to = bytes;
+        int next = length;
         long rest = number;
         while ((rest & -MORE) != 0) {
-            octet(((int) rest & (MORE - 1)) | MORE);
+            to[next++] = (byte) (((int) rest & (MORE - 1)) | MORE);
             rest >>>= BITS;
         }
-        return octet((int) rest);
+        to[next++] = (byte) rest;
+        length = next;
+        return this;
     }
 
     /** Writes one byte per character if that is enough for all of them, else two; so every string can be written. */
@@ -96,9 +104,12 @@ final class ByteWriter extends ItemWriter {
         unsigned(((long) count << 1) | (narrow ? 0 : WIDE));
         if (narrow) {
             room(count);
+            byte[] to = bytes;
+            int from = length;
             for (int at = 0; at < count; at++) {
-                bytes[length++] = (byte) words.charAt(at);
+                to[from + at] = (byte) words.charAt(at);
             }
+            length += count;
         } else {
             for (int at = 0; at < count; at++) {
                 octet(words.charAt(at) >>> Byte.SIZE);

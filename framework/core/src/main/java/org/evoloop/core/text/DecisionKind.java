@@ -31,9 +31,15 @@ public enum DecisionKind {
     /** {@link Decision.Impossible}. */
     IMPOSSIBLE;
 
+    private final String word;
+
+    DecisionKind() {
+        word = name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+
     /** Its name in texts: {@code existing-function}. */
     public String word() {
-        return name().toLowerCase(Locale.ROOT).replace('_', '-');
+        return word;
     }
 
     /** The kind of {@code decision}. */

@@ -24,6 +24,8 @@ import org.jspecify.annotations.Nullable;
 
 /** Reads the items that {@link SnapshotWriter} writes, in the same order. */
 final class SnapshotReader {
+    private static final DecisionKind[] KINDS = DecisionKind.values();
+
     private final Items items;
     private final Names names;
     private final OccurrenceReader occurrences;
@@ -200,7 +202,7 @@ final class SnapshotReader {
         List<String> effects = ended(items.texts());
         items.next("reason");
         String reason = ended(items.text());
-        for (DecisionKind kind : DecisionKind.values()) {
+        for (DecisionKind kind : KINDS) {
             if (kind.word().equals(word) && (transition != null || !kind.needsTransition())) {
                 return kind.made(before, after, steps, transition, effects, reason);
             }

@@ -1,5 +1,6 @@
 package org.evoloop.mqtt.edge;
 
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.InstantSource;
@@ -30,8 +31,9 @@ import org.slf4j.LoggerFactory;
  * makes it carry out what the fleet decides.
  *
  * <p>Records are numbered, stored in a file, and published repeatedly until the gateway confirms them; the fleet ignores
- * those that it already has. A command's number is stored before the command is carried out; none is carried out twice, or
- * after its deadline.
+ * those that it already has. A record is in the file when {@link #observed} or {@link #answered} returns, and outlives the
+ * process from then on; it is on the disk before it is published. A command's number is stored before the command is
+ * carried out; none is carried out twice, or after its deadline.
  *
  * <p>Lifecycle: {@link #open}, {@link #close}.
  *
@@ -55,7 +57,6 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
     private final BrokerConnection gateway;
     private final Outbox outbox;
     private final Carried carried;
-    private final BlockingQueue<OutgoingRecord> outgoing = new LinkedBlockingQueue<>();
     private final BlockingQueue<Message> received = new LinkedBlockingQueue<>();
     /** The highest number that the gateway has confirmed. */
     private final AtomicLong confirmed = new AtomicLong();
@@ -64,8 +65,6 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
     private volatile boolean closing;
     private @Nullable Thread sender;
     private @Nullable Thread carrier;
-
-    private record OutgoingRecord(String topic, String record) {}
 
     /**
      * Prepares the device; {@link #open} connects it.
@@ -151,7 +150,7 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
         if (!values.isEmpty()) {
             record.put("values", JsonObject.of(values));
         }
-        outgoing.add(new OutgoingRecord(OCCURRENCE, record.toString()));
+        store(OCCURRENCE, record.toString());
     }
 
     @Override
@@ -165,21 +164,35 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
             record.put("reason", reason);
         }
         state.ifPresent(found -> record.put("state", found.name()));
-        outgoing.add(new OutgoingRecord(EFFECT, record.toString()));
+        store(EFFECT, record.toString());
+    }
+
+    /** Whoever observes something waits for no disk; the sender forces the records to it before it publishes them. */
+    private void store(String topic, String record) {
+        try {
+            outbox.write(topic, id, record);
+        } catch (UncheckedIOException e) {
+            LOG.error("a record of {} is lost: {}: {}", id, record, e.getMessage());
+        }
     }
 
     private void sendAll() {
+        long forcedTo = 0;
         long publishedTo = 0;
         long publishedNanos = clock.nanoTime();
         long connects = -1;
         try {
-            while (!closing || !outgoing.isEmpty()) {
-                store(outgoing.poll(POLL_MILLIS, TimeUnit.MILLISECONDS));
+            while (!closing) {
+                long last = outbox.awaitAfter(forcedTo, POLL_MILLIS);
+                if (last > forcedTo) {
+                    outbox.force();
+                    forcedTo = last;
+                }
                 outbox.sent(confirmed.get());
                 reportLink();
                 boolean again = connects != gateway.connects() || clock.nanoTime() - publishedNanos > AGAIN_NANOS;
                 for (Outbox.Entry entry : gateway.isUp() ? outbox.first(WINDOW, 0) : List.<Outbox.Entry>of()) {
-                    if (again || entry.number() > publishedTo) {
+                    if (entry.number() <= forcedTo && (again || entry.number() > publishedTo)) {
                         gateway.publish(Message.event(
                                 topic(entry.topic()),
                                 "{\"number\":" + entry.number() + ','
@@ -192,12 +205,6 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
             }
         } catch (InterruptedException closed) {
             // Waiting records are in the file.
-        }
-    }
-
-    private void store(@Nullable OutgoingRecord first) {
-        for (OutgoingRecord next = first; next != null; next = outgoing.poll()) {
-            outbox.add(next.topic(), id, next.record());
         }
     }
 
@@ -282,7 +289,7 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
         LOG.warn("a message on {} is ignored: {}", message.topic(), why.getMessage());
     }
 
-    /** Stores the outgoing records, and ends; close the shell afterwards. Idempotent. */
+    /** Ends; what is not published yet is in the file. Close the shell afterwards. Idempotent. */
     @Override
     public synchronized void close() {
         closing = true;

@@ -3,19 +3,18 @@ package org.evoloop.mqtt.edge;
 import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.io.UncheckedIOException;
-import java.nio.ByteBuffer;
-import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Records of devices that the receiver may not have yet, in a file with one line each, which is on the disk before the
- * record counts. A line's number is never used again, so the receiver can recognise repetitions.
+ * Records of devices that the receiver may not have yet, in a file with one line each. A line's number is never used
+ * again, so the receiver can recognise repetitions.
+ *
+ * <p>An interrupted thread may write: interrupts neither end a write nor close the file.
  *
  * <p>Errors: if the directory cannot be used, {@link UncheckedIOException}.
  *
@@ -27,7 +26,7 @@ public final class Outbox implements AutoCloseable {
     private static final char BETWEEN = '\t';
 
     private final Path positionFile;
-    private final FileChannel lines;
+    private final RandomAccessFile lines;
     private final List<Entry> waiting = new ArrayList<>();
     private long number;
     private long sent;
@@ -55,8 +54,8 @@ public final class Outbox implements AutoCloseable {
                     : before;
             number = sent;
             read(file);
-            lines = FileChannel.open(
-                    file, StandardOpenOption.CREATE, StandardOpenOption.WRITE, StandardOpenOption.APPEND);
+            lines = new RandomAccessFile(file.toFile(), "rw");
+            lines.seek(lines.length());
         } catch (IOException e) {
             throw new UncheckedIOException(directory + " cannot be used: " + e.getMessage(), e);
         }
@@ -85,21 +84,49 @@ public final class Outbox implements AutoCloseable {
     }
 
     /** Adds a record, which is on the disk when this returns. */
-    public synchronized void add(String topic, String device, String record) {
+    public void add(String topic, String device, String record) {
+        write(topic, device, record);
+        force();
+    }
+
+    /**
+     * Adds a record, which is in the file when this returns, and so outlives this process. Only after {@link #force} does
+     * it outlive a loss of power; waits for no disk.
+     */
+    public synchronized void write(String topic, String device, String record) {
         Entry entry = new Entry(number + 1, topic, device, record.replace('\n', ' '));
         String line = entry.number + String.valueOf(BETWEEN) + topic + BETWEEN + device + BETWEEN + entry.record + '\n';
         try {
-            ByteBuffer bytes = ByteBuffer.wrap(line.getBytes(StandardCharsets.UTF_8));
-            while (bytes.hasRemaining()) {
-                lines.write(bytes);
-            }
-            lines.force(false);
+            lines.write(line.getBytes(StandardCharsets.UTF_8));
         } catch (IOException e) {
-            throw new UncheckedIOException("the outbox cannot be written: " + e.getMessage(), e);
+            throw cannotBeWritten(e);
         }
         number++;
         waiting.add(entry);
         notifyAll();
+    }
+
+    private static UncheckedIOException cannotBeWritten(IOException e) {
+        return new UncheckedIOException("the outbox cannot be written: " + e.getMessage(), e);
+    }
+
+    /** Puts all that was written on the disk. Others can write meanwhile. */
+    public void force() {
+        try {
+            lines.getFD().sync();
+        } catch (IOException e) {
+            throw cannotBeWritten(e);
+        }
+    }
+
+    /** Waits up to {@code limitMillis} for a record with a higher number than {@code known}; returns the highest number. */
+    public synchronized long awaitAfter(long known, long limitMillis) throws InterruptedException {
+        long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(limitMillis);
+        for (long left = limitMillis; number <= known && left > 0; ) {
+            wait(left);
+            left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
+        }
+        return number;
     }
 
     /** The first waiting records, at most {@code most}; if there are none, waits up to {@code limitMillis} for one. */
@@ -122,10 +149,10 @@ public final class Outbox implements AutoCloseable {
         try {
             Files.writeString(positionFile, sent + "\n");
             if (waiting.isEmpty()) {
-                lines.truncate(0);
+                lines.setLength(0);
             }
         } catch (IOException e) {
-            throw new UncheckedIOException("the outbox cannot be written: " + e.getMessage(), e);
+            throw cannotBeWritten(e);
         }
     }
 

@@ -3,12 +3,14 @@ package org.evoloop.mqtt.edge;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.awaitility.Awaitility;
@@ -17,6 +19,8 @@ import org.evoloop.converter.EdgeShell;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;
 import org.evoloop.function.NewFunction;
@@ -25,6 +29,7 @@ import org.evoloop.mqtt.BrokerAddress;
 import org.evoloop.mqtt.BrokerConnection;
 import org.evoloop.mqtt.Message;
 import org.evoloop.mqtt.Mosquitto;
+import org.evoloop.statemachine.Event;
 import org.evoloop.time.SystemClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -173,6 +178,22 @@ class EdgeDeviceTest {
         }
         assertThat(records.get(1)).isEqualTo(records.get(0));
         assertThat(number(records.get(2))).isEqualTo(number(records.get(0)) + 1);
+    }
+
+    @Test
+    void whatIsObservedIsInTheFileAtOnceSoThatAKilledProcessLosesNothing() throws Exception {
+        Path killed = directory.resolve("killed");
+        Path next = Files.createDirectories(directory.resolve("next"));
+        // No thread of its own runs yet.
+        try (EdgeDevice edge = new EdgeDevice(
+                "lamp", BrokerAddress.parse(mosquitto.url()), killed, clock, InstantSource.fixed(NOW), link::add)) {
+            edge.observed(new Occurrence.Heard(new Event("switch"), Values.NONE, Source.PANEL, 0, 1));
+            edge.answered(7, EdgeShell.Result.SENT, "", Optional.empty());
+            Files.copy(killed.resolve("outbox"), next.resolve("outbox"));
+        }
+        try (Outbox outbox = new Outbox(next, 0)) {
+            assertThat(outbox.first(9, 1)).extracting(Outbox.Entry::topic).containsExactly("occurrence", "effect");
+        }
     }
 
     @Test

@@ -39,6 +39,21 @@ class KeptTest {
     }
 
     @Test
+    void aThreadThatIsToStopCanStillWrite() throws Exception {
+        Path kept = directory.resolve("kept");
+        try (Outbox outbox = new Outbox(kept, 0)) {
+            Thread.currentThread().interrupt();
+            outbox.add("occurrence", "a", "{1}");
+            assertThat(Thread.interrupted()).isTrue();
+            outbox.add("occurrence", "a", "{2}");
+            assertThat(outbox.awaitAfter(1, 1)).isEqualTo(2);
+        }
+        try (Outbox outbox = new Outbox(kept, 0)) {
+            assertThat(outbox.first(9, 1)).extracting(Outbox.Entry::record).containsExactly("{1}", "{2}");
+        }
+    }
+
+    @Test
     void noCommandIsCarriedOutTwiceAfterACrash() {
         Path kept = directory.resolve("kept");
         assertThat(kept.toFile().mkdirs()).isTrue();
