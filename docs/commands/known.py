@@ -45,7 +45,7 @@ THIS = "runs this test"
 MUTANTS = "takes several minutes of both processors: over a thousand mutants of the models, a separate test run"
 NO_BOARD = "hardware: takes a camera's pictures of a printed chessboard (CalibrationTest draws them)"
 CLUSTER = "needs a Kafka cluster; FleetCommandTest of fleet starts a broker and does the same there"
-EDGE = "needs a Kafka cluster and an MQTT broker; RoombaEdgeTest of fleet starts both, and does the same with a simulated robot"
+EDGE = "needs a Kafka cluster and an MQTT broker; RoombaEdgeTest starts both, and does the same with a simulated robot"
 ELSEWHERE = "is for the project that scaffold writes; test_retrofit.py creates it and runs this there"
 
 CONSOLE = """start

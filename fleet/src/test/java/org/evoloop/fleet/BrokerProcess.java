@@ -13,7 +13,7 @@ public final class BrokerProcess {
 
     /** Starts one with its data in {@code directory}, and waits until it runs. */
     public static Process start(Path directory, int port, int controllerPort) throws Exception {
-        Process broker = JavaProcess.start(
+        Process broker = TestProcess.start(
                 directory,
                 BrokerProcess.class,
                 directory.resolve("broker").toString(),

@@ -24,7 +24,7 @@ import org.apache.kafka.common.serialization.StringDeserializer;
 import org.apache.kafka.common.serialization.StringSerializer;
 import org.awaitility.Awaitility;
 import org.evoloop.fleet.BrokerProcess;
-import org.evoloop.fleet.JavaProcess;
+import org.evoloop.fleet.TestProcess;
 import org.evoloop.fleet.broker.LocalBroker;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -66,7 +66,7 @@ class EdgeProducerTest {
             Awaitility.await().atMost(LIMIT).until(() -> onTheWay(producer) == mostOnTheWay);
             signal("CONT", broker);
             Awaitility.await().atMost(LIMIT).until(() -> written(bootstrap).size() > mostOnTheWay);
-            JavaProcess.kill(broker);
+            TestProcess.kill(broker);
             killed.countDown();
 
             broker = BrokerProcess.start(directory, port, controller);
@@ -75,7 +75,7 @@ class EdgeProducerTest {
                     .isEqualTo(IntStream.range(0, RECORDS).boxed().toList());
         } finally {
             killed.countDown();
-            JavaProcess.kill(broker);
+            TestProcess.kill(broker);
         }
     }
 

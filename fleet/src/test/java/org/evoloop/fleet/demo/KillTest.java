@@ -7,10 +7,10 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Random;
 import org.evoloop.fleet.BrokerProcess;
-import org.evoloop.fleet.JavaProcess;
 import org.evoloop.fleet.Main;
 import org.evoloop.fleet.MemoryFleetProcess;
 import org.evoloop.fleet.Models;
+import org.evoloop.fleet.TestProcess;
 import org.evoloop.fleet.broker.LocalBroker;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -55,7 +55,7 @@ class KillTest {
                 start(victim, bootstrap);
                 lamps.press(100);
                 if (kill % killsPerBroker == 0) {
-                    JavaProcess.kill(broker);
+                    TestProcess.kill(broker);
                     broker = BrokerProcess.start(directory, port, controller);
                 }
                 lamps.awaitDecided(200L * kill);
@@ -67,15 +67,15 @@ class KillTest {
             for (int each = 0; each < INSTANCES; each++) {
                 kill(each);
             }
-            JavaProcess.kill(broker);
+            TestProcess.kill(broker);
         }
     }
 
     private synchronized void start(int number, String bootstrap) {
         String state = directory.resolve("instance-" + number).toString();
         Process instance = number < IN_MEMORY
-                ? JavaProcess.start(directory, MemoryFleetProcess.class, bootstrap, FLEET, SESSION_MILLIS, state)
-                : JavaProcess.start(
+                ? TestProcess.start(directory, MemoryFleetProcess.class, bootstrap, FLEET, SESSION_MILLIS, state)
+                : TestProcess.start(
                         directory,
                         Main.class,
                         "fleet",
@@ -105,7 +105,7 @@ class KillTest {
             victim = instances.remove(number);
         }
         if (victim != null) {
-            JavaProcess.kill(victim);
+            TestProcess.kill(victim);
         }
     }
 }

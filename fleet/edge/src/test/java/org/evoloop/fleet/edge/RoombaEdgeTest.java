@@ -1,4 +1,4 @@
-package org.evoloop.fleet.gateway;
+package org.evoloop.fleet.edge;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
