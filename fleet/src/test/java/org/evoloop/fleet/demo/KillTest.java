@@ -17,14 +17,17 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.CleanupMode;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Processes that are killed (SIGKILL) while lamps are pressed. */
+/**
+ * Processes that are killed (SIGKILL) while lamps are pressed.
+ *
+ * <p>System properties: {@code kills} of instances, {@code killsPerBroker} for each of the broker, {@code inMemory}
+ * instances that keep their devices in memory, the others on disk.
+ */
 @Tag("slow")
 class KillTest {
     private static final int INSTANCES = 3;
     private static final String FLEET = "killed";
     private static final String SESSION_MILLIS = "3000";
-
-    /** So many of the instances keep their devices in memory, the others on disk. */
     private static final int IN_MEMORY = Integer.getInteger("inMemory", 1);
 
     @TempDir(cleanup = CleanupMode.ON_SUCCESS)
