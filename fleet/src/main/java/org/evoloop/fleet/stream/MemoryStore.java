@@ -16,13 +16,14 @@ import org.apache.kafka.streams.state.KeyValueStore;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A store in memory that finds a key by its hash. That of Kafka Streams is a sorted tree, in which a million keys take
- * several times as long to find as a thousand.
+ * A store in memory that finds a key by its hash. The one of Kafka Streams is a sorted tree, in which finding one of a
+ * million keys takes several times as long as finding one of a thousand.
  *
- * <p>A value is written over the last one of its key if that had about the same length: else every value that is replaced
- * would be garbage among the old objects, which takes long to collect.
+ * <p>A value overwrites the previous one of its key if both have about the same length. Otherwise every replaced value
+ * would become garbage in the old generation, which is expensive to collect.
  *
- * <p>Iterators are in the order of the keys. They see the keys there were when they were made, with their present values.
+ * <p>Iterators are in the order of the keys. They return the keys that existed when they were created, with their current
+ * values.
  *
  * <p>Threading: thread-safe.
  */
@@ -31,10 +32,10 @@ final class MemoryStore implements KeyValueStore<Bytes, byte[]> {
 
     private final String name;
 
-    /** Each in an array of a multiple of {@value #ROUND} bytes, of which the last says how many are not used. */
+    /** Each in an array whose length is a multiple of {@value #ROUND}; its last byte is the number of unused bytes. */
     private final Map<Bytes, byte[]> values = new HashMap<>();
 
-    /** All keys in order; null if keys were added or removed since it was made. */
+    /** All keys in order; null if keys have been added or removed since it was created. */
     private Bytes @Nullable [] order;
 
     private volatile boolean open;
@@ -74,7 +75,7 @@ final class MemoryStore implements KeyValueStore<Bytes, byte[]> {
         open = true;
     }
 
-    /** Nothing is kept: what is opened again is restored from its topic. */
+    /** Keeps nothing: when it is opened again, Kafka Streams restores it from its topic. */
     @Override
     public synchronized void close() {
         open = false;
@@ -187,7 +188,7 @@ final class MemoryStore implements KeyValueStore<Bytes, byte[]> {
             this.last = last;
         }
 
-        /** Keys that were removed since are left out. */
+        /** Skips keys that have been removed. */
         private @Nullable KeyValue<Bytes, byte[]> peek() {
             while (next == null && at < keys.length && (last == null || keys[at].compareTo(last) <= 0)) {
                 Bytes key = keys[at++];
