@@ -28,10 +28,13 @@ import org.evoloop.fleet.TestProcess;
 import org.evoloop.fleet.broker.LocalBroker;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A broker is killed when it has written records, and the demo's producer has not read all of its answers. */
 @Tag("slow")
+@EnabledOnOs(OS.LINUX)
 class EdgeProducerTest {
     private static final TopicPartition PLACE = new TopicPartition("presses", 0);
     private static final Duration LIMIT = Duration.ofMinutes(2);
