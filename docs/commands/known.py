@@ -258,8 +258,8 @@ KNOWN = [
     Known("./evoloop bench soak", run="./evoloop bench soak --events 20000", slow=True, shows="20,000 events"),
     Known("./evoloop bench soak --stepped", run="./evoloop bench soak --stepped --events 20000", slow=True),
     Known(
-        "./evoloop bench soak --stepped --json benchmarks/results/soak/2026-11-23.json --plot docs/soak.svg",
-        run="./evoloop bench soak --stepped --events 20000 --json soak.json --plot soak.svg",
+        "./evoloop bench soak --json benchmarks/results/soak/2026-11-25.json --plot docs/soak.svg",
+        run="./evoloop bench soak --events 20000 --json soak.json --plot soak.svg",
         slow=True,
     ),
     typed("./evoloop bench profile", slow=True),
