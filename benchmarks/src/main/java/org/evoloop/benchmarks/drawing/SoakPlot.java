@@ -34,7 +34,7 @@ public final class SoakPlot {
             new Panel("threads", SoakSample::threads),
             new Panel("open files", SoakSample::files),
             new Panel("journal on disk, MB", SoakSample::diskMegabytes),
-            new Panel("press to command, median, µs", SoakSample::medianMicros),
+            new Panel("monitor to execute, median, µs", SoakSample::medianMicros),
             new Panel("99th percentile, µs", SoakSample::percentile99Micros),
             new Panel("99.9th percentile, µs", SoakSample::percentile999Micros));
 
