@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
 
 /**
  * Records of devices that the receiver may not have yet, in a file with one line each. A line's number is never used
@@ -90,8 +91,8 @@ public final class Outbox implements AutoCloseable {
     }
 
     /**
-     * Adds a record, which is in the file when this returns, and so outlives this process. Only after {@link #force} does
-     * it outlive a loss of power; waits for no disk.
+     * Adds a record, without waiting for the disk. It outlives this process once this returns, and a loss of power only
+     * after {@link #force}.
      */
     public synchronized void write(String topic, String device, String record) {
         Entry entry = new Entry(number + 1, topic, device, record.replace('\n', ' '));
@@ -110,7 +111,7 @@ public final class Outbox implements AutoCloseable {
         return new UncheckedIOException("the outbox cannot be written: " + e.getMessage(), e);
     }
 
-    /** Puts all that was written on the disk. Others can write meanwhile. */
+    /** Forces everything written to the disk. Other threads can write meanwhile. */
     public void force() {
         try {
             lines.getFD().sync();
@@ -121,22 +122,22 @@ public final class Outbox implements AutoCloseable {
 
     /** Waits up to {@code limitMillis} for a record with a higher number than {@code known}; returns the highest number. */
     public synchronized long awaitAfter(long known, long limitMillis) throws InterruptedException {
-        long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(limitMillis);
-        for (long left = limitMillis; number <= known && left > 0; ) {
-            wait(left);
-            left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
-        }
+        await(() -> number > known, limitMillis);
         return number;
     }
 
     /** The first waiting records, at most {@code most}; if there are none, waits up to {@code limitMillis} for one. */
     public synchronized List<Entry> first(int most, long limitMillis) throws InterruptedException {
+        await(() -> !waiting.isEmpty(), limitMillis);
+        return List.copyOf(waiting.subList(0, Math.min(most, waiting.size())));
+    }
+
+    private synchronized void await(BooleanSupplier there, long limitMillis) throws InterruptedException {
         long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(limitMillis);
-        for (long left = limitMillis; waiting.isEmpty() && left > 0; ) {
+        for (long left = limitMillis; !there.getAsBoolean() && left > 0; ) {
             wait(left);
             left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
         }
-        return List.copyOf(waiting.subList(0, Math.min(most, waiting.size())));
     }
 
     /** The receiver has all records up to this number. */
