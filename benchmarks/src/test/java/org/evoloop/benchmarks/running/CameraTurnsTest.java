@@ -12,7 +12,7 @@ class CameraTurnsTest {
     private static final int PAIRS = 20;
     private static final int EVENTS = 200;
 
-    /** Of the recorded values, enough for what is asserted; the time that the table takes grows tenfold with each. */
+    /** Significant digits of the recorded values; with each one more, the table takes ten times as long. */
     private static final int DIGITS = 2;
 
     private final SplittableRandom random = new SplittableRandom(SEED);

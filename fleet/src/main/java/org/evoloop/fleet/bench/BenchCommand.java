@@ -28,7 +28,7 @@ import picocli.CommandLine.Spec;
 public final class BenchCommand implements Callable<Integer> {
     private static final int EVENTS = 600_000;
 
-    /** As many as it takes until the JVM has compiled nearly all: in the first round that takes half of the time. */
+    /** Enough for the JVM to compile nearly everything; in the first round, compiling takes half of the time. */
     private static final int WARM_UP_ROUNDS = 3;
 
     @Spec

@@ -98,8 +98,8 @@ final class Edge implements AutoCloseable {
     }
 
     /**
-     * Only one request is on its way at a time. Presses are not numbered, so the fleet would decide a press twice that is
-     * written twice; and a broker that was killed recognises only the last batch of a producer when it is sent again.
+     * At most one request is in flight. Presses are not numbered, so the fleet decides a press twice if it is written
+     * twice. After a kill, a broker recognises only a producer's last batch when it is sent again.
      */
     static Map<String, Object> producerSettings(String bootstrap) {
         return Map.of(
@@ -128,7 +128,7 @@ final class Edge implements AutoCloseable {
         producer.flush();
     }
 
-    /** Operates the switch of a lamp. No two presses of a lamp have the same time, so that decisions can be told apart. */
+    /** Presses the switch of a lamp, at a time that no other press of it has, so that decisions can be told apart. */
     void press(int lamp) {
         String id = ids.get(lamp);
         long now = Math.max(nowNanos(), lastPresses[lamp] + Wire.nanos(1));

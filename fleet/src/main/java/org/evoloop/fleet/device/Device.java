@@ -166,7 +166,7 @@ public final class Device {
             long timerNanos = timer == null ? NEVER : timer.getValue();
             long orderNanos = orderDue(open, patienceNanos);
             long next = Math.min(timerNanos, orderNanos);
-            // Of an event that the models do not know, the core takes no notice.
+            // The core ignores an event that the models lack, so its timer stays due.
             if (next > atNanos || (timerNanos <= orderNanos && next == last)) {
                 return;
             }

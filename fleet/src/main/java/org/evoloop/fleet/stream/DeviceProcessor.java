@@ -176,7 +176,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
             }
         }
         send(id, timestamp);
-        // With very many devices, to look for an entry that cannot be there takes as long as to decide.
+        // With many devices, looking for an entry takes as long as deciding, so not if there can be none.
         if (Device.mayBeDue(state) || (before != null && Device.mayBeDue(before))) {
             agenda.set(id, device.dueNanos());
         }

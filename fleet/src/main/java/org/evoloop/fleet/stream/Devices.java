@@ -27,8 +27,8 @@ final class Devices {
     private final Recent recent = new Recent();
 
     /**
-     * States used recently, each at the place that its id's hash gives: reading a device's bytes takes longer than
-     * handling its record.
+     * Recently used states, at most one for each hash of an id: parsing a device's bytes takes longer than handling its
+     * record.
      */
     private static final class Recent {
         private static final int PLACES = 1 << 11;

@@ -56,8 +56,8 @@ public final class FleetTopology {
     }
 
     /**
-     * The store of the devices, {@code devices}. It has no cache: a device answers only what was committed, so that it
-     * rarely changes twice between two commits.
+     * The store of the devices. It has no cache: a device gets a command only after a commit, so its state rarely changes
+     * twice between two commits.
      */
     public static StoreBuilder<KeyValueStore<String, byte[]>> devices(FleetSettings settings) {
         return store(DeviceProcessor.STORE, settings.isInMemory());

@@ -129,7 +129,7 @@ final class Json {
         return this;
     }
 
-    /** Writes the characters from {@code from} on, of which the first cannot be written as it is. */
+    /** Writes the characters from {@code from} on, with escapes and in UTF-8. */
     private Json rest(String words, int from) {
         for (int at = from; at < words.length(); at++) {
             char each = words.charAt(at);

@@ -13,7 +13,7 @@ import tools.jackson.core.json.JsonFactory;
 import tools.jackson.core.util.JsonRecyclerPools;
 
 /**
- * The members of a JSON object, in two arrays: records have few, and a tree of nodes takes several times as long to make.
+ * The members of a JSON object, in two arrays: records have few, and a tree of nodes takes several times as long to build.
  * A value is a {@link String}, a {@link Long}, a {@link Double}, a {@link Boolean}, a {@link List}, another object's {@code
  * Members}, or {@link #NULL}.
  */
@@ -54,7 +54,7 @@ final class Members {
             case START_ARRAY -> list(parser);
             case VALUE_STRING -> parser.getString();
             case VALUE_NUMBER_INT ->
-                // What no long can hold becomes a fraction, which is no whole number either.
+                // Too large for a long, so it is not read as a whole number either.
                 parser.getNumberType() == JsonParser.NumberType.BIG_INTEGER
                         ? (Object) parser.getDoubleValue()
                         : (Object) parser.getLongValue();

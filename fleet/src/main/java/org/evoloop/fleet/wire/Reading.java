@@ -26,7 +26,7 @@ import tools.jackson.core.JacksonException;
  * @since 0.1
  */
 public final class Reading {
-    /** Doubles below it, and no others, fit in a long. */
+    /** Whole doubles of a smaller magnitude fit in a long. */
     private static final double MOST_WHOLE = 0x1p63;
 
     private static final Source[] SOURCES = Source.values();

@@ -32,7 +32,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A broker is killed when it has written records, and the demo's producer has not read all of its answers. */
+/** A broker is killed after it has written records, before the demo's producer has read all answers. */
 @Tag("slow")
 @EnabledOnOs(OS.LINUX)
 class EdgeProducerTest {

@@ -28,7 +28,7 @@ final class TopicAudit {
     private static final Duration LIMIT = Duration.ofMinutes(1);
     private static final int SHOWN = 50;
 
-    /** The places of the records of a topic by what identifies them. */
+    /** By topic, and by what identifies a record: the places where it is. */
     private final Map<Topic, Map<String, List<String>>> records = new EnumMap<>(Topic.class);
 
     private TopicAudit() {}
@@ -88,7 +88,7 @@ final class TopicAudit {
         return event.equals("switch") ? "press at " + reading.number("atMillis") : null;
     }
 
-    /** What must not be: records that are missing, double, or of nothing that was pressed or commanded. */
+    /** Records that are missing, duplicated, or belong to no press or command. */
     List<String> problems() {
         List<String> problems = new ArrayList<>();
         records.forEach((topic, places) -> places.forEach((identity, at) -> {
@@ -112,7 +112,7 @@ final class TopicAudit {
         return records.getOrDefault(topic, Map.of());
     }
 
-    /** How many records the topics have, of how many presses or commands, and the first problems. */
+    /** For each topic the number of records and of presses or commands, and the first problems. */
     @Override
     public String toString() {
         StringJoiner text = new StringJoiner("\n");

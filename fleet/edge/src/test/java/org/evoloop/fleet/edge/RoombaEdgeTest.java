@@ -108,7 +108,7 @@ class RoombaEdgeTest {
             roomba.press(Button.CLEAN);
             pressUntilCleaning(cluster);
 
-            // Kafka stops, and somebody stops the robot, which is told when Kafka is back: it leads to SpotWait.
+            // Kafka stops, and somebody stops the robot; the fleet hears of it when Kafka is back, and goes to SpotWait.
             broker.close();
             roomba.press(Button.CLEAN);
             roomba.until(robot -> robot.activity() == RobotActivity.ON);

@@ -103,7 +103,7 @@ final class ByteItems extends Items {
         return wide ? wide((int) count) : narrow((int) count);
     }
 
-    @SuppressWarnings("deprecation") // What it does not do, decode, is not wanted; charsets are not for the core.
+    @SuppressWarnings("deprecation") // It does not decode, which is right here: the core uses no charsets.
     private String narrow(int count) {
         String text = new String(bytes, 0, place, count);
         place += count;

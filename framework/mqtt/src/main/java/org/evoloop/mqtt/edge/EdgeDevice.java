@@ -167,7 +167,7 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
         store(EFFECT, record.toString());
     }
 
-    /** Whoever observes something waits for no disk; the sender forces the records to it before it publishes them. */
+    /** Does not wait for the disk; the sender forces records to it before it publishes them. */
     private void store(String topic, String record) {
         try {
             outbox.write(topic, id, record);
