@@ -14,7 +14,7 @@ public final class BrokerProcess {
     /** Starts one with its data in {@code directory}, and waits until it runs. */
     public static Process start(Path directory, int port, int controllerPort) throws Exception {
         Process broker = TestProcess.start(
-                directory,
+                directory.resolve("broker.log"),
                 BrokerProcess.class,
                 directory.resolve("broker").toString(),
                 String.valueOf(port),

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Random;
 import java.util.function.Predicate;
+import org.evoloop.JavaProcess;
 import org.evoloop.roomba.OtherRobot.Truth;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -68,13 +69,6 @@ class GuardedRobotTest {
 
     private String log() throws IOException {
         return Files.readString(folder.resolve("log"));
-    }
-
-    private static void signal(String name, Process process) throws Exception {
-        assertThat(new ProcessBuilder("kill", "-" + name, Long.toString(process.pid()))
-                        .start()
-                        .waitFor())
-                .isZero();
     }
 
     /**
@@ -165,11 +159,11 @@ class GuardedRobotTest {
             }
             driveOn();
             Truth before = robot.truth();
-            signal("STOP", converter);
+            JavaProcess.signal("STOP", converter);
             assertMadeSafe(before);
             long moment = random.nextInt(3_000);
             robot.await("some time", now -> now.millis() - before.millis() >= moment);
-            signal("CONT", converter);
+            JavaProcess.signal("CONT", converter);
             assertThat(fastestFor(1_000)).as("it does not continue driving").isZero();
             robot.await("it is under control again", now -> now.mode().equals("safe") && !now.drives());
             assertThat(fastestFor(300)).isZero();
@@ -211,7 +205,7 @@ class GuardedRobotTest {
         Process converter =
                 startUntil(now -> now.activity().equals("clean") && now.drives(), "press clean\npress clean\n");
         Truth before = robot.truth();
-        signal("STOP", converter);
+        JavaProcess.signal("STOP", converter);
         robot.await("some time", now -> now.millis() - before.millis() > 1_500);
         assertThat(robot.truth().activity()).isEqualTo("clean");
         converter.destroyForcibly();

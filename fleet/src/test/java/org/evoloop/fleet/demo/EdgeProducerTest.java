@@ -2,7 +2,6 @@ package org.evoloop.fleet.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -23,6 +22,7 @@ import org.apache.kafka.common.serialization.IntegerSerializer;
 import org.apache.kafka.common.serialization.StringDeserializer;
 import org.apache.kafka.common.serialization.StringSerializer;
 import org.awaitility.Awaitility;
+import org.evoloop.JavaProcess;
 import org.evoloop.fleet.BrokerProcess;
 import org.evoloop.fleet.TestProcess;
 import org.evoloop.fleet.broker.LocalBroker;
@@ -60,14 +60,14 @@ class EdgeProducerTest {
             createTopic(bootstrap);
             producer.send(record(0)).get(LIMIT.toSeconds(), TimeUnit.SECONDS);
 
-            signal("STOP", broker);
+            JavaProcess.signal("STOP", broker);
             // The thread that calls back also reads the answers.
             producer.send(record(1), (at, failure) -> await(killed));
             for (int each = 2; each < RECORDS; each++) {
                 producer.send(record(each));
             }
             Awaitility.await().atMost(LIMIT).until(() -> onTheWay(producer) == mostOnTheWay);
-            signal("CONT", broker);
+            JavaProcess.signal("CONT", broker);
             Awaitility.await().atMost(LIMIT).until(() -> written(bootstrap).size() > mostOnTheWay);
             TestProcess.kill(broker);
             killed.countDown();
@@ -123,13 +123,5 @@ class EdgeProducerTest {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
-    }
-
-    private static void signal(String name, Process process) throws IOException, InterruptedException {
-        int status = new ProcessBuilder("kill", "-" + name, String.valueOf(process.pid()))
-                .inheritIO()
-                .start()
-                .waitFor();
-        assertThat(status).as("kill -" + name).isZero();
     }
 }

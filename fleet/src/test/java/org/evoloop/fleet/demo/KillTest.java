@@ -75,11 +75,12 @@ class KillTest {
     }
 
     private synchronized void start(int number, String bootstrap) {
+        Path log = directory.resolve("instance-" + number + ".log");
         String state = directory.resolve("instance-" + number).toString();
         Process instance = number < IN_MEMORY
-                ? TestProcess.start(directory, MemoryFleetProcess.class, bootstrap, FLEET, SESSION_MILLIS, state)
+                ? TestProcess.start(log, MemoryFleetProcess.class, bootstrap, FLEET, SESSION_MILLIS, state)
                 : TestProcess.start(
-                        directory,
+                        log,
                         Main.class,
                         "fleet",
                         "--bootstrap",

@@ -73,7 +73,7 @@ class ConsoleProcessTest {
         type("jline");
         assertThat(screen.readLine()).isEqualTo("no JLine");
 
-        signal("TERM");
+        JavaProcess.signal("TERM", program);
 
         assertEndsInOrder();
     }
@@ -84,7 +84,7 @@ class ConsoleProcessTest {
         type("jline");
         assertThat(screen.readLine()).isEqualTo("no JLine");
 
-        signal("INT");
+        JavaProcess.signal("INT", program);
 
         assertEndsInOrder();
     }
@@ -103,10 +103,5 @@ class ConsoleProcessTest {
             }
         }
         return (ignored & 1 << SIGINT - 1) != 0;
-    }
-
-    private void signal(String name) throws Exception {
-        Process kill = new ProcessBuilder("kill", "-" + name, Long.toString(program.pid())).start();
-        assertThat(kill.waitFor()).isZero();
     }
 }

@@ -77,22 +77,15 @@ class ServiceProcessTest {
         return process.exitValue();
     }
 
-    private static void signal(String name, Process process) throws Exception {
-        assertThat(new ProcessBuilder("kill", "-" + name, Long.toString(process.pid()))
-                        .start()
-                        .waitFor())
-                .isZero();
-    }
-
     @Test
     void withoutInputItRunsUntilItIsTerminated() throws Exception {
         Process lamp = start(NO_INPUT, "--start", "--name", "lamp");
         awaitRunning();
         assertThat(ctl("switch")).containsExactly("0");
-        signal("HUP", lamp);
+        JavaProcess.signal("HUP", lamp);
         assertThat(ctl("status").get(0)).isEqualTo("converter   lamp, running");
 
-        signal("TERM", lamp);
+        JavaProcess.signal("TERM", lamp);
 
         assertThat(end(lamp)).isZero();
         assertThat(socket()).doesNotExist();
@@ -125,7 +118,7 @@ class ServiceProcessTest {
         assertThat(ctl("switch"))
                 .containsExactly("error: the converter lamp is stopped, so switch is refused; start it first", "1");
 
-        signal("TERM", lamp);
+        JavaProcess.signal("TERM", lamp);
         assertThat(end(lamp)).isZero();
     }
 
@@ -139,7 +132,7 @@ class ServiceProcessTest {
                 .containsExactly("error: an instance named lamp is running already (process " + first.pid()
                         + "); give this one another --name, or end that one: ctl lamp exit");
 
-        signal("KILL", first);
+        JavaProcess.signal("KILL", first);
         assertThat(end(first)).isNotZero();
         assertThat(Files.exists(socket())).isTrue();
         assertThat(ctl("status")).containsExactly("error: no instance named lamp is running; none is", "2");

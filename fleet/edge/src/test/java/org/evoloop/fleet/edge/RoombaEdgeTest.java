@@ -2,8 +2,6 @@ package org.evoloop.fleet.edge;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -14,6 +12,7 @@ import org.awaitility.Awaitility;
 import org.evoloop.fleet.Brokers;
 import org.evoloop.fleet.Cluster;
 import org.evoloop.fleet.Models;
+import org.evoloop.fleet.TestProcess;
 import org.evoloop.fleet.broker.LocalBroker;
 import org.evoloop.fleet.stream.Fleet;
 import org.evoloop.fleet.stream.FleetSettings;
@@ -29,6 +28,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
+import org.junit.jupiter.api.io.CleanupMode;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A robot in a fleet: gateway and edge are processes that are killed; Kafka, the MQTT broker and the robot's port are real. */
@@ -37,7 +37,7 @@ class RoombaEdgeTest {
     private static final Duration LIMIT = Duration.ofSeconds(90);
     private static final String ROBOT = "robot";
 
-    @TempDir
+    @TempDir(cleanup = CleanupMode.ON_SUCCESS)
     private Path directory;
 
     @RegisterExtension
@@ -108,7 +108,8 @@ class RoombaEdgeTest {
             roomba.press(Button.CLEAN);
             pressUntilCleaning(cluster);
 
-            // Kafka stops, and somebody stops the robot; the fleet hears of it when Kafka is back, and goes to SpotWait.
+            // Kafka stops, and somebody stops the robot; the fleet hears of it when Kafka is back, and goes to
+            // SpotWait.
             broker.close();
             roomba.press(Button.CLEAN);
             roomba.until(robot -> robot.activity() == RobotActivity.ON);
@@ -207,7 +208,7 @@ class RoombaEdgeTest {
     private Process gateway(String bootstrap, Cluster cluster, Mosquitto mosquitto) {
         return start(
                 "gateway",
-                "org.evoloop.fleet.Main",
+                org.evoloop.fleet.Main.class,
                 List.of(
                         "gateway",
                         "--bootstrap",
@@ -241,50 +242,34 @@ class RoombaEdgeTest {
         if (!arguments.contains("--start-point")) {
             arguments.addAll(List.of("--start-point", "300,0"));
         }
-        return start("edge", "org.evoloop.roomba.Main", arguments);
+        return start("edge", org.evoloop.roomba.Main.class, arguments);
     }
 
-    private Process start(String name, String program, List<String> arguments) {
-        List<String> command = new ArrayList<>(List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-Xmx256m",
-                "-XX:+UseSerialGC",
-                "-cp",
-                System.getProperty("java.class.path"),
-                program));
-        command.addAll(arguments);
-        try {
-            Process process = new ProcessBuilder(command)
-                    .redirectErrorStream(true)
-                    .redirectOutput(log(name + "-" + (processes.size() + 1)).toFile())
-                    .start();
-            processes.add(process);
-            return process;
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+    private Process start(String name, Class<?> program, List<String> arguments) {
+        Process process =
+                TestProcess.start(log(name + "-" + (processes.size() + 1)), program, arguments.toArray(String[]::new));
+        processes.add(process);
+        return process;
     }
 
-    private static Path log(String name) throws IOException {
-        Path logs = Path.of("target", "edge-logs");
-        Files.createDirectories(logs);
-        return logs.resolve(name + ".log");
+    private Path log(String name) {
+        return directory.resolve(name + ".log");
     }
 
-    private static void awaitLog(String name, String line) {
+    private void awaitLog(String name, String line) {
         Awaitility.await().atMost(LIMIT).until(() -> Files.readString(log(name)).contains(line));
     }
 
     /** With SIGKILL. */
     private static void kill(Process process) throws InterruptedException {
         assertThat(process.isAlive()).isTrue();
-        process.destroyForcibly().waitFor();
+        TestProcess.kill(process);
     }
 
     @AfterEach
     void endAll() throws InterruptedException {
         for (Process process : processes) {
-            process.destroyForcibly().waitFor();
+            TestProcess.kill(process);
         }
     }
 }
