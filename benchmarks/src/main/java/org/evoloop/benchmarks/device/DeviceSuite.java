@@ -10,7 +10,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import org.evoloop.benchmarks.report.Figures;
 import org.evoloop.benchmarks.report.Fork;
 import org.evoloop.benchmarks.report.ResidentMemory;
 import org.evoloop.benchmarks.report.Row;
@@ -25,7 +24,7 @@ public final class DeviceSuite implements Suite {
 
     @Override
     public List<Row> measure(boolean quick) throws Exception {
-        List<Row> rows = new ArrayList<>(presses(quick ? "20" : "200"));
+        List<Row> rows = new ArrayList<>(presses(quick ? "20" : "100"));
         Fork version = Fork.java("-version");
         double[] starts = new double[quick ? 3 : 9];
         double[] versions = new double[starts.length];
@@ -48,16 +47,8 @@ public final class DeviceSuite implements Suite {
     }
 
     private static List<Row> presses(String times) throws IOException, InterruptedException {
-        Figures bare = Fork.of(BareChain.class, Fork.SHIPPED_OPTIONS, times).figures();
-        List<Row> rows = new ArrayList<>();
-        for (PressWay way : PressWay.values()) {
-            Figures press = Fork.shipped(PressToCommand.class, List.of("1", way.name()), times, way.name())
-                    .figures();
-            rows.addAll(way.rows(press, bare));
-        }
-        rows.addAll(JournalCost.rows(
-                Fork.shipped(JournalCost.class, List.of("10"), times).figures()));
-        return rows;
+        return PressWay.rows(
+                Fork.shipped(PressToCommand.class, List.of("1"), times).figures());
     }
 
     private record Started(double seconds, double megabytes) {}

@@ -1,102 +1,134 @@
 package org.evoloop.benchmarks.device;
 
-import java.util.LinkedHashMap;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.function.IntFunction;
+import org.HdrHistogram.Histogram;
 import org.evoloop.benchmarks.report.Figures;
 import org.evoloop.benchmarks.report.Row;
+import org.evoloop.journal.Forcing;
+import org.evoloop.journal.Journal;
+import org.evoloop.link.Link;
+import org.evoloop.link.SerialLink;
+import org.evoloop.link.SerialSettings;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.ThreadingModel;
+import org.evoloop.time.Clock;
 
-/**
- * A path of a button press through the loop's components, and its limits relative to the most similar bare path over
- * the same link. The limits are ratios within one run, since absolute times depend on the machine's threads.
- */
+/** How a press leads to a command. */
 enum PressWay {
-    /** One thread runs all components. */
-    CARRIER(
-            "button to command, added by us, median",
-            "button to command, added by us, 99th percentile",
-            ThreadingModel.SINGLE_CARRIER,
-            Bare.DIRECT,
-            6,
-            6),
-    /** One thread per component, as in the paper. */
-    THREADS(
-            "button to command, a thread a component, median",
-            "button to command, a thread a component, 99th percentile",
-            ThreadingModel.THREAD_PER_COMPONENT,
-            Bare.THREADS,
-            1.25,
-            1.5);
-
-    private final String median;
-    private final String percentile99;
-    private final ThreadingModel threading;
-    private final Bare bare;
-    private final double mostAtMedian;
-    private final double mostAtPercentile99;
-
-    /** @param median the name of its row; likewise for the 99th percentile */
-    PressWay(
-            String median,
-            String percentile99,
-            ThreadingModel threading,
-            Bare bare,
-            double mostAtMedian,
-            double mostAtPercentile99) {
-        this.median = median;
-        this.percentile99 = percentile99;
-        this.threading = threading;
-        this.bare = bare;
-        this.mostAtMedian = mostAtMedian;
-        this.mostAtPercentile99 = mostAtPercentile99;
-    }
-
-    /** A path that {@link BareChain} measures. */
-    enum Bare {
-        DIRECT("direct", "a byte sent back by its reader"),
-        THREADS("threads", "by way of 3 bare threads");
-
-        private final String figure;
-        private final String label;
-
-        Bare(String figure, String label) {
-            this.figure = figure;
-            this.label = label;
+    /** The thread that reads the press writes the command. */
+    BARE {
+        @Override
+        Answerer open(IntFunction<Link> cable, Path folder, Clock clock) throws InterruptedException {
+            return new BareAnswerer(cable.apply(SerialSettings.DEFAULT_BAUD), 0, clock);
         }
-
-        double at(String percentile, Figures bare) {
-            return bare.get(figure + " " + percentile);
+    },
+    /** As many threads in between as a press passes through in the paper. */
+    BARE_THREADS {
+        @Override
+        Answerer open(IntFunction<Link> cable, Path folder, Clock clock) throws InterruptedException {
+            return new BareAnswerer(cable.apply(SerialSettings.DEFAULT_BAUD), 3, clock);
         }
-    }
+    },
+    /** The converter; one thread runs all components. */
+    CARRIER {
+        @Override
+        Answerer open(IntFunction<Link> cable, Path folder, Clock clock) throws IOException, InterruptedException {
+            return new ConverterAnswerer(cable, config(clock), null);
+        }
+    },
+    /** The converter with one thread per component, as in the paper. */
+    THREADS {
+        @Override
+        Answerer open(IntFunction<Link> cable, Path folder, Clock clock) throws IOException, InterruptedException {
+            return new ConverterAnswerer(cable, config(clock).withThreading(ThreadingModel.THREAD_PER_COMPONENT), null);
+        }
+    },
+    /** {@link #CARRIER} with a journal that is forced by batch. */
+    JOURNAL_BY_BATCH {
+        @Override
+        Answerer open(IntFunction<Link> cable, Path folder, Clock clock) throws IOException, InterruptedException {
+            return new ConverterAnswerer(cable, config(clock), journal(folder, Forcing.BY_BATCH));
+        }
+    },
+    /** {@link #CARRIER} with a journal that is forced per intent. */
+    JOURNAL_PER_INTENT {
+        @Override
+        Answerer open(IntFunction<Link> cable, Path folder, Clock clock) throws IOException, InterruptedException {
+            return new ConverterAnswerer(cable, config(clock), journal(folder, Forcing.PER_INTENT));
+        }
+    };
 
-    LoopConfig configured(LoopConfig defaults) {
-        return defaults.withThreading(threading);
-    }
+    abstract Answerer open(IntFunction<Link> cable, Path folder, Clock clock) throws IOException, InterruptedException;
 
     /**
-     * The rows for its median and its 99th percentile.
+     * Connects to the robot.
      *
-     * @param press the output of {@link PressToCommand}
-     * @param measured the output of {@link BareChain}
+     * @param port of the robot
+     * @param folder for journals
+     * @param nanos gets the time of each command
      */
-    List<Row> rows(Figures press, Figures measured) {
-        return List.of(
-                row(median, "p50", mostAtMedian, press, measured),
-                row(percentile99, "p99", mostAtPercentile99, press, measured));
+    Answerer open(Path port, Path folder, Clock clock, Histogram nanos) throws IOException, InterruptedException {
+        return open(
+                baud -> new TimedLink(SerialLink.open(new SerialSettings(port.toString()).withBaud(baud)), nanos),
+                folder,
+                clock);
     }
 
-    private Row row(String what, String percentile, double most, Figures press, Figures measured) {
-        Map<String, Double> others = new LinkedHashMap<>();
-        for (Bare way : Bare.values()) {
-            others.put(way.label, way.at(percentile, measured));
-        }
-        return new Row(
-                what,
-                "us",
-                press.get("press " + percentile),
-                Row.Goal.atMostTimes(most, bare.label, bare.at(percentile, measured)),
-                others);
+    private static LoopConfig config(Clock clock) {
+        return LoopConfig.defaults("roomba", clock);
+    }
+
+    private static Journal journal(Path folder, Forcing forcing) throws IOException {
+        return Journal.in(Files.createTempDirectory(folder, "journal")).withForcing(forcing);
+    }
+
+    /** The rows of the table; the goals are ratios within one run, since times depend on the machine's threads. */
+    static List<Row> rows(Figures measured) {
+        double bare = measured.get("BARE p50");
+        double bare99 = measured.get("BARE p99");
+        double threads = measured.get("BARE_THREADS p50");
+        double threads99 = measured.get("BARE_THREADS p99");
+        double carrier = measured.get("CARRIER p50");
+        String direct = "a byte sent back by its reader";
+        String relayed = "by way of 3 bare threads";
+        String without = "without a journal";
+        return List.of(
+                new Row(
+                        "button to command, added by us, median",
+                        "us",
+                        carrier,
+                        Row.Goal.atMostTimes(6, direct, bare),
+                        Map.of(relayed, threads)),
+                new Row(
+                        "button to command, added by us, 99th percentile",
+                        "us",
+                        measured.get("CARRIER p99"),
+                        Row.Goal.atMostTimes(6, direct, bare99),
+                        Map.of(relayed, threads99)),
+                new Row(
+                        "button to command, a thread a component, median",
+                        "us",
+                        measured.get("THREADS p50"),
+                        Row.Goal.atMostTimes(1.25, relayed, threads)),
+                new Row(
+                        "button to command, a thread a component, 99th percentile",
+                        "us",
+                        measured.get("THREADS p99"),
+                        Row.Goal.atMostTimes(1.5, relayed, threads99)),
+                new Row(
+                        "button to command with a journal by batch, median",
+                        "us",
+                        measured.get("JOURNAL_BY_BATCH p50"),
+                        Row.Goal.atMostTimes(1.1, without, carrier)),
+                new Row(
+                        "button to command with a journal per intent, median",
+                        "us",
+                        measured.get("JOURNAL_PER_INTENT p50"),
+                        Row.Goal.atMostTimes(50, without, carrier)));
     }
 }

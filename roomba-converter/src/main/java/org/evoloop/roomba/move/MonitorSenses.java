@@ -29,7 +29,7 @@ final class MonitorSenses extends Monitor<Percept> implements SessionListener {
     private final BooleanSupplier busy;
     private final Clock clock;
     private final boolean threads;
-    private String reason = "";
+    private volatile String reason = "";
     private Optional<EstimatedActivity> work = Optional.empty();
 
     /**

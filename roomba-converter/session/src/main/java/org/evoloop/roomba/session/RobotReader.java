@@ -2,6 +2,7 @@ package org.evoloop.roomba.session;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.IntFunction;
 import org.evoloop.link.Link;
@@ -104,16 +105,26 @@ final class RobotReader implements ConnectionOwner {
         }
     }
 
-    private synchronized void take(byte[] buffer, int length) {
-        for (SensorValues reported : framer.feed(buffer, 0, length)) {
-            learnModeOffset(reported.value(Packet.OI_MODE));
-            if (modeOffset.isKnown()) {
-                framed(filter.filter(reported));
+    private void take(byte[] buffer, int length) {
+        for (SensorValues reported : frames(buffer, length)) {
+            for (Button button : look(reported)) {
+                // Without the monitor: the thread that handles the press needs it, to send a command.
+                listeners.forEach(listener -> listener.pressed(button, false));
             }
         }
     }
 
-    private void framed(SensorValues values) {
+    private synchronized List<SensorValues> frames(byte[] buffer, int length) {
+        return framer.feed(buffer, 0, length);
+    }
+
+    /** Returns the buttons that were pressed and on which the robot, which is under control, does not act. */
+    private synchronized Set<Button> look(SensorValues reported) {
+        learnModeOffset(reported.value(Packet.OI_MODE));
+        return modeOffset.isKnown() ? framed(filter.filter(reported)) : Set.of();
+    }
+
+    private Set<Button> framed(SensorValues values) {
         Telemetry earlier = latest;
         Telemetry now = new Telemetry(earlier == null ? 1 : earlier.frame() + 1, values, odometry.update(values));
         // Publish the telemetry before completing the first answer: threads that wait for the answer read it.
@@ -137,8 +148,9 @@ final class RobotReader implements ConnectionOwner {
             case AS_ESTIMATED -> reportActivity();
             case NOTHING -> {}
         }
-        for (Button button : buttons.update(values.buttons())) {
-            pressed(button, !now.isUnderControl());
+        Set<Button> pressed = buttons.update(values.buttons());
+        if (!now.isUnderControl()) {
+            pressed.forEach(this::obeysButton);
         }
         SpotWatch.Ending ending = spotWatch.update(values);
         if (ending != null) {
@@ -153,6 +165,7 @@ final class RobotReader implements ConnectionOwner {
         if (framesUntilReport > 0 && --framesUntilReport == 0) {
             reportSeen(estimate.activity());
         }
+        return now.isUnderControl() ? pressed : Set.of();
     }
 
     private void reportCircumstances(Circumstances before) {
@@ -192,18 +205,16 @@ final class RobotReader implements ConnectionOwner {
         reportAgain = true;
     }
 
-    private void pressed(Button button, boolean robotActs) {
-        listeners.forEach(listener -> listener.pressed(button, robotActs));
-        if (robotActs) {
-            reportAgain |= undocking.giveUp();
-            estimate.pressed(button);
-            if (estimate.activity() == EstimatedActivity.SPOT) {
-                spotWatch.started();
-            } else {
-                spotWatch.forget();
-            }
-            reportActivity();
+    private void obeysButton(Button button) {
+        listeners.forEach(listener -> listener.pressed(button, true));
+        reportAgain |= undocking.giveUp();
+        estimate.pressed(button);
+        if (estimate.activity() == EstimatedActivity.SPOT) {
+            spotWatch.started();
+        } else {
+            spotWatch.forget();
         }
+        reportActivity();
     }
 
     /** Reports the robot's activity. */

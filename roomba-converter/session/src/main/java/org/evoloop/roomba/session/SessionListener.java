@@ -9,7 +9,8 @@ import org.evoloop.roomba.session.inference.SpotWatch;
 /**
  * Is notified of the robot's activity.
  *
- * <p>Threading: called on the thread that receives, {@link #stopped} on any; one call at a time; must be quick.
+ * <p>Threading: called on the thread that receives, {@link #stopped} on any; must be quick. One call at a time, except
+ * that a press on which the robot does not act may coincide with a call by another thread.
  *
  * @since 0.1
  */

@@ -6,6 +6,7 @@ import static org.evoloop.roomba.session.Cables.bytes;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import org.evoloop.roomba.oi.ActuatorCommand.DriveDirect;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.Command;
@@ -20,6 +21,7 @@ import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 
 /** What a session sends and reports for given frames of its robot. */
 class RoombaSessionTest {
@@ -115,6 +117,22 @@ class RoombaSessionTest {
                 .containsOnly(128);
         frames(SpotWatch.QUIET_FRAMES, PASSIVE);
         assertThat(cables.heard()).isEqualTo(bytes(SAFE));
+    }
+
+    @Test
+    @Timeout(60)
+    void theAnswerToAPressUnderControlCanBeSentWhileThePressIsStillBeingReported() {
+        takeControl();
+        session.addListener(new SessionListener() {
+            @Override
+            public void pressed(Button button, boolean robotActs) {
+                CompletableFuture.runAsync(() -> session.send(new Command.Clean()))
+                        .join();
+            }
+        });
+        frames(2, CONTROLLED.with(Packet.BUTTONS, 1));
+        assertThat(cables.heard()).isEqualTo(bytes(new Command.Clean()));
+        assertThat(notices).contains("CLEAN reported");
     }
 
     @Test
