@@ -2,6 +2,7 @@ package org.evoloop.xmi.scxml;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -20,6 +21,7 @@ final class ScxmlTree {
     private final Map<String, ScxmlVertex> byId = new HashMap<>();
     private final List<ScxmlVertex> all = new ArrayList<>();
     private final List<ScxmlVertex> outermost = new ArrayList<>();
+    private final Set<String> descriptors = new HashSet<>();
 
     private int madeUp;
 
@@ -29,12 +31,16 @@ final class ScxmlTree {
         for (XmlNode child : document.children()) {
             if (VERTICES.contains(child.name())) {
                 outermost.add(vertex(child, null));
+            } else {
+                collectDescriptors(child);
             }
         }
     }
 
     private ScxmlVertex vertex(XmlNode node, @Nullable ScxmlVertex parent) {
-        String id = node.attribute("id").strip();
+        // A copy, so that all ids are close together: a hundred thousand look-ups would be slow if each key was somewhere
+        // among all that was read from the file.
+        String id = new String(node.attribute("id").strip().toCharArray());
         ScxmlVertex vertex = new ScxmlVertex(node, id, id.isEmpty() ? madeUpKey() : id, parent);
         all.add(vertex);
         ScxmlVertex namesake = id.isEmpty() ? null : byId.putIfAbsent(id, vertex);
@@ -49,9 +55,26 @@ final class ScxmlTree {
                 vertex.addInner(vertex(child, vertex));
             } else {
                 vertex.add(child);
+                collectDescriptors(child);
             }
         }
         return vertex;
+    }
+
+    private void collectDescriptors(XmlNode node) {
+        switch (node.name()) {
+            case "transition", "send", "raise" -> descriptors.add(node.attribute("event"));
+            default -> {}
+        }
+        // Most elements have no children; this avoids an iterator for each.
+        if (!node.children().isEmpty()) {
+            node.children().forEach(this::collectDescriptors);
+        }
+    }
+
+    /** The different event attributes, as written; there are far fewer of these than transitions. */
+    Set<String> descriptors() {
+        return descriptors;
     }
 
     /** A new key that no id can equal. */
@@ -111,14 +134,18 @@ final class ScxmlTree {
      * @param ids separated by white space
      */
     List<ScxmlVertex> targets(String ids, int line, Supplier<String> what) {
+        // There is rarely more than one; then nothing is split.
+        ScxmlVertex only = isOneWord(ids) ? byId.get(ids) : null;
+        if (only != null) {
+            return List.of(only);
+        }
         StringTokenizer words = new StringTokenizer(ids);
-        List<ScxmlVertex> found = List.of();
+        List<ScxmlVertex> found = new ArrayList<>();
         while (words.hasMoreTokens()) {
             String id = words.nextToken();
             ScxmlVertex target = byId.get(id);
             if (target != null) {
-                // There is rarely more than one.
-                found = found.isEmpty() ? List.of(target) : joined(found, target);
+                found.add(target);
             } else {
                 problems.add(
                         line,
@@ -128,9 +155,12 @@ final class ScxmlTree {
         return found;
     }
 
-    private static List<ScxmlVertex> joined(List<ScxmlVertex> some, ScxmlVertex another) {
-        List<ScxmlVertex> all = new ArrayList<>(some);
-        all.add(another);
-        return all;
+    private static boolean isOneWord(String ids) {
+        for (int i = 0; i < ids.length(); i++) {
+            if (ids.charAt(i) <= ' ') {
+                return false;
+            }
+        }
+        return true;
     }
 }

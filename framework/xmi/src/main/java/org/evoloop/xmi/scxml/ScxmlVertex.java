@@ -17,9 +17,10 @@ final class ScxmlVertex {
     private final String id;
     private final String key;
     private final @Nullable ScxmlVertex parent;
-    private final List<ScxmlVertex> inner = new ArrayList<>();
     private final List<XmlNode> transitions = new ArrayList<>();
-    private final List<XmlNode> rest = new ArrayList<>();
+    // Most vertices have nothing else in them.
+    private List<ScxmlVertex> inner = List.of();
+    private List<XmlNode> rest = List.of();
 
     /**
      * @param key its id, or a generated one
@@ -33,12 +34,18 @@ final class ScxmlVertex {
     }
 
     void addInner(ScxmlVertex vertex) {
+        inner = inner.isEmpty() ? new ArrayList<>() : inner;
         inner.add(vertex);
     }
 
     /** Adds a child that is not a vertex. */
     void add(XmlNode child) {
-        (child.name().equals("transition") ? transitions : rest).add(child);
+        if (child.name().equals("transition")) {
+            transitions.add(child);
+        } else {
+            rest = rest.isEmpty() ? new ArrayList<>() : rest;
+            rest.add(child);
+        }
     }
 
     /** The element. */
