@@ -106,9 +106,15 @@ final class Explorer {
         return requireNonNull(find(state));
     }
 
-    /** Whether a transition is ever taken. */
-    boolean uses(Link link) {
-        return used.get(link.index);
+    /** The transitions that are never taken. */
+    List<Link> unused() {
+        if (used.cardinality() == net.links()) {
+            return List.of();
+        }
+        return net.nodes().stream()
+                .flatMap(node -> node.outgoing.stream())
+                .filter(link -> !used.get(link.index))
+                .toList();
     }
 
     private void begin() {
@@ -144,7 +150,7 @@ final class Explorer {
     /** States that are never entered still belong to the model; the checks report them. */
     private void visitUnreachable() {
         for (Node node : net.nodes()) {
-            if (node.isState() && node.zones.isEmpty() && !visited.get(node.index)) {
+            if (!visited.get(node.index) && node.isState() && node.zones.isEmpty()) {
                 for (Case one : cases(step -> step.startIn(node))) {
                     if (one.outcome() != null) {
                         found(one.outcome());
@@ -157,7 +163,7 @@ final class Explorer {
 
     private List<Move> moves(Reached state) {
         Node node = PlainSteps.alone(net, state.snapshot);
-        List<Move> moves = new ArrayList<>();
+        List<Move> moves = new ArrayList<>(node == null ? 0 : node.outgoing.size());
         if (node == null || node.hasRivals() || !node.deferred().isEmpty()) {
             causes(state.snapshot).forEach((cause, owners) -> {
                 Link link = owners.size() == 1 && cause.kind() != Cause.Kind.COMPLETION
@@ -175,11 +181,13 @@ final class Explorer {
         Set<Node> left = Set.of(node);
         for (Link link : node.outgoing) {
             boolean plain = PlainSteps.isPlain(link);
-            for (String trigger : link.arc.triggers()) {
+            List<String> triggers = link.arc.triggers();
+            for (int i = 0; i < triggers.size(); i++) {
+                Cause cause = cause(triggers.get(i), node);
                 if (plain) {
-                    moves.add(plain(link, cause(trigger, node), left));
+                    moves.add(plain(link, cause, left));
                 } else {
-                    step(state, cause(trigger, node), moves);
+                    step(state, cause, moves);
                 }
             }
         }

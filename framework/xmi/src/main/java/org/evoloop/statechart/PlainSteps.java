@@ -23,12 +23,7 @@ final class PlainSteps {
     /** Whether the transition only leaves one state and enters another. */
     static boolean isPlain(Link link) {
         Node target = link.target;
-        return target.isState()
-                && target.zone == link.source.zone
-                && target.zones.isEmpty()
-                && !target.wantsCompletion()
-                && link.arc.kind() == Arc.Kind.EXTERNAL
-                && link.arc.guard().isEmpty();
+        return link.simple && target.zones.isEmpty() && !target.wantsCompletion();
     }
 
     /**

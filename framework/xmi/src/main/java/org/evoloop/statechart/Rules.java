@@ -48,7 +48,12 @@ final class Rules {
             } else {
                 pseudostate(node);
             }
-            node.outgoing.forEach(link -> link(link, timeTriggers));
+            for (Link link : node.outgoing) {
+                if (!link.simple) {
+                    link(link);
+                }
+                timeTriggers(link, timeTriggers);
+            }
         }
         net.nodes().forEach(node -> node.zones.forEach(this::names));
         net.tops().forEach(this::names);
@@ -177,7 +182,7 @@ final class Rules {
         }
     }
 
-    private void link(Link link, Set<String> timeTriggers) {
+    private void link(Link link) {
         Place place = link.arc.place();
         if (!link.source.isState() && !link.arc.triggers().isEmpty()) {
             refuse(place, link + " has a trigger but does not leave a state", "move the trigger to the one before it");
@@ -191,13 +196,20 @@ final class Rules {
         if (link.target.is(Kind.EXIT_POINT) && link.target.border != null && !link.target.border.holds(link.source)) {
             refuse(place, link + " comes from outside", "end it at the state or at an entry point");
         }
-        for (String trigger : net.timeTriggers().isEmpty() ? List.<String>of() : link.arc.triggers()) {
+    }
+
+    /** @param known those already examined */
+    private void timeTriggers(Link link, Set<String> known) {
+        if (net.timeTriggers().isEmpty()) {
+            return;
+        }
+        for (String trigger : link.arc.triggers()) {
             try {
-                if (net.isTime(trigger) && timeTriggers.add(trigger)) {
+                if (net.isTime(trigger) && known.add(trigger)) {
                     new Event(trigger).timeTrigger();
                 }
             } catch (ModelException malformed) {
-                refuse(place, String.valueOf(malformed.getMessage()), "correct it on the " + link);
+                refuse(link.arc.place(), String.valueOf(malformed.getMessage()), "correct it on the " + link);
             }
         }
     }
