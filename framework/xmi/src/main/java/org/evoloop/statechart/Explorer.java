@@ -12,7 +12,6 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Stream;
@@ -33,13 +32,18 @@ final class Explorer {
     /** The effort of a step that is not plain. */
     private static final int FULL_STEP = 20;
 
+    private static final int NONE = -1;
+
     private static final String SMALLER = "draw fewer regions side by side, or histories, or guards on one event";
 
     private final Net net;
     private final Set<Problem> problems = new LinkedHashSet<>();
     private final List<Reached> reached = new ArrayList<>();
-    /** The states in which only one vertex matters, by its number. Most states are like this and need no hashing. */
-    private final @Nullable Reached[] alone;
+    /**
+     * The numbers of the states in which only one vertex matters, by that vertex; {@link #NONE} for a vertex without.
+     * Most states are like this and need no hashing.
+     */
+    private final int[] alone;
 
     private final Map<Snapshot, Reached> others = new HashMap<>();
     private final Map<String, Cause> events = new HashMap<>();
@@ -55,7 +59,8 @@ final class Explorer {
 
     Explorer(Net net) {
         this.net = net;
-        this.alone = new Reached[net.nodes().size()];
+        this.alone = new int[net.nodes().size()];
+        Arrays.fill(alone, NONE);
         SizeEstimate estimate = new SizeEstimate(net);
         this.tooLarge = estimate.exceeds(MAX_STATES, MAX_MOVES) ? estimate : null;
     }
@@ -96,7 +101,9 @@ final class Explorer {
     /** Every stable state, in document order. */
     List<Reached> inOrder() {
         // The states of one vertex are already in order, which makes sorting fast.
-        return Stream.concat(Arrays.stream(alone).filter(Objects::nonNull), others.values().stream())
+        return Stream.concat(
+                        Arrays.stream(alone).filter(number -> number != NONE).mapToObj(reached::get),
+                        others.values().stream())
                 .sorted(Comparator.comparing(state -> state.snapshot))
                 .toList();
     }
@@ -203,9 +210,7 @@ final class Explorer {
         used.set(link.index);
         visited.set(link.target.index);
         Snapshot after = state.with(link.source, link.target);
-        Reached known = find(after);
-        Reached target = known == null ? reach(after) : known;
-        return new Move(cause, List.of(), target, PlainSteps.effects(link), false, Set.of(link.source), false);
+        return new Move(cause, List.of(), number(after), PlainSteps.effects(link), false, Set.of(link.source), false);
     }
 
     private void work(long amount) {
@@ -226,8 +231,8 @@ final class Explorer {
     private Move plain(Link link, Cause cause, Set<Node> left) {
         used.set(link.index);
         visited.set(link.target.index);
-        Reached known = alone[link.target.index];
-        Reached target = known == null ? reach(Snapshot.of(link.target)) : known;
+        int known = alone[link.target.index];
+        int target = known == NONE ? reach(Snapshot.of(link.target)).index : known;
         return new Move(cause, List.of(), target, PlainSteps.effects(link), false, left, false);
     }
 
@@ -257,7 +262,7 @@ final class Explorer {
                         outcome.left(),
                         false));
             } else if (one.deferred()) {
-                found.add(new Move(cause, one.guards(), state, List.of(), true, Set.of(), true));
+                found.add(new Move(cause, one.guards(), state.index, List.of(), true, Set.of(), true));
             } else if (hides(one, cases.subList(i + 1, cases.size()))) {
                 found.add(nothing(cause, one.guards(), state));
             }
@@ -270,7 +275,7 @@ final class Explorer {
     }
 
     private static Move nothing(Cause cause, List<String> guards, Reached state) {
-        return new Move(cause, guards, state, List.of(), true, Set.of(), false);
+        return new Move(cause, guards, state.index, List.of(), true, Set.of(), false);
     }
 
     /** Whether a later move would wrongly be taken in this case, in which nothing happens. */
@@ -279,15 +284,23 @@ final class Explorer {
                 .anyMatch(one -> one.outcome() != null && nothing.guards().containsAll(one.guards()));
     }
 
-    private Reached found(Outcome outcome) {
+    private int found(Outcome outcome) {
         outcome.used().forEach(link -> used.set(link.index));
         outcome.entered().forEach(node -> visited.set(node.index));
-        Reached known = find(outcome.target());
-        return known == null ? reach(outcome.target()) : known;
+        return number(outcome.target());
+    }
+
+    private int number(Snapshot state) {
+        Reached known = find(state);
+        return (known == null ? reach(state) : known).index;
     }
 
     private @Nullable Reached find(Snapshot state) {
-        return state.isOneState() ? alone[state.leaves()[0]] : others.get(state);
+        if (!state.isOneState()) {
+            return others.get(state);
+        }
+        int number = alone[state.leaves()[0]];
+        return number == NONE ? null : reached.get(number);
     }
 
     private Reached reach(Snapshot state) {
@@ -297,7 +310,7 @@ final class Explorer {
         Reached added = new Reached(reached.size(), state);
         reached.add(added);
         if (state.isOneState()) {
-            alone[state.leaves()[0]] = added;
+            alone[state.leaves()[0]] = added.index;
         } else {
             others.put(state, added);
         }
