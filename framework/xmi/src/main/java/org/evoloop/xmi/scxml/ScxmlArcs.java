@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -29,8 +28,6 @@ import org.jspecify.annotations.Nullable;
  * in UML. The event {@code done.state.ID} is the completion of that state.
  */
 final class ScxmlArcs {
-    private static final Set<String> ATTRIBUTES = Set.of("event", "cond", "target", "type");
-
     private final ScxmlTree tree;
     private final ScxmlEvents events;
     private final Problems problems;
@@ -188,7 +185,7 @@ final class ScxmlArcs {
         List<String> attributes = transition.attributeNames();
         for (int i = 0; i < attributes.size(); i++) {
             String attribute = attributes.get(i);
-            if (!ATTRIBUTES.contains(attribute) && attribute.indexOf(':') < 0) {
+            if (!isKnown(attribute)) {
                 problems.add(
                         transition.line(),
                         "attribute " + attribute + " of " + label.get() + " is not supported; remove it");
@@ -223,6 +220,13 @@ final class ScxmlArcs {
         } else {
             arc(transition, state, state, targets, List.of("when " + condition), "", label);
         }
+    }
+
+    private static boolean isKnown(String attribute) {
+        return switch (attribute) {
+            case "event", "cond", "target", "type" -> true;
+            default -> attribute.indexOf(':') >= 0;
+        };
     }
 
     /**

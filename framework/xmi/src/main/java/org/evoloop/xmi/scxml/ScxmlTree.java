@@ -14,8 +14,6 @@ import org.jspecify.annotations.Nullable;
 
 /** The vertices of a document, by id and as a tree. */
 final class ScxmlTree {
-    private static final Set<String> VERTICES = Set.of("state", "parallel", "final", "history");
-
     private final ScxmlDocument document;
     private final Problems problems;
     private final Map<String, ScxmlVertex> byId = new HashMap<>();
@@ -29,12 +27,19 @@ final class ScxmlTree {
         this.document = document;
         this.problems = problems;
         for (XmlNode child : document.children()) {
-            if (VERTICES.contains(child.name())) {
+            if (isVertex(child)) {
                 outermost.add(vertex(child, null));
             } else {
                 collectDescriptors(child);
             }
         }
+    }
+
+    private static boolean isVertex(XmlNode node) {
+        return switch (node.name()) {
+            case "state", "parallel", "final", "history" -> true;
+            default -> false;
+        };
     }
 
     private ScxmlVertex vertex(XmlNode node, @Nullable ScxmlVertex parent) {
@@ -51,7 +56,7 @@ final class ScxmlTree {
                             + namesake.node().name() + " in line " + namesake.line() + "; give each an id of its own");
         }
         for (XmlNode child : node.children()) {
-            if (VERTICES.contains(child.name())) {
+            if (isVertex(child)) {
                 vertex.addInner(vertex(child, vertex));
             } else {
                 vertex.add(child);
