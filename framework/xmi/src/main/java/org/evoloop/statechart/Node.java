@@ -49,8 +49,7 @@ final class Node {
     /** Computed on first use. */
     private @Nullable String path;
 
-    /** Whether all outgoing transitions are simple, so that they have the same rank. */
-    private boolean sorted = true;
+    private boolean onlySimple = true;
 
     private boolean rivals;
     private int triggers;
@@ -75,7 +74,7 @@ final class Node {
 
     void addOutgoing(Link link) {
         outgoing = with(link, outgoing);
-        sorted &= link.simple;
+        onlySimple &= link.simple;
     }
 
     void addIncoming(Link link) {
@@ -94,7 +93,8 @@ final class Node {
      * @param named the last vertex that used each trigger
      */
     void arrange(Map<String, Node> named) {
-        if (!sorted) {
+        // Simple ones have the same rank.
+        if (!onlySimple) {
             outgoing.sort(Comparator.comparingInt(Link::rank));
         }
         for (Link link : outgoing) {
@@ -108,6 +108,11 @@ final class Node {
                 triggers++;
             }
         }
+    }
+
+    /** Whether all its outgoing transitions are {@linkplain Link#simple simple}. */
+    boolean hasOnlySimple() {
+        return onlySimple;
     }
 
     /** Whether a trigger occurs twice on its transitions, or several of them have no trigger. */

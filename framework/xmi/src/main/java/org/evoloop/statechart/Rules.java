@@ -48,11 +48,10 @@ final class Rules {
             } else {
                 pseudostate(node);
             }
-            for (Link link : node.outgoing) {
-                if (!link.simple) {
-                    link(link);
+            if (!node.hasOnlySimple() || !net.timeTriggers().isEmpty()) {
+                for (Link link : node.outgoing) {
+                    link(link, timeTriggers);
                 }
-                timeTriggers(link, timeTriggers);
             }
         }
         net.nodes().forEach(node -> node.zones.forEach(this::names));
@@ -182,7 +181,7 @@ final class Rules {
         }
     }
 
-    private void link(Link link) {
+    private void link(Link link, Set<String> timeTriggers) {
         Place place = link.arc.place();
         if (!link.source.isState() && !link.arc.triggers().isEmpty()) {
             refuse(place, link + " has a trigger but does not leave a state", "move the trigger to the one before it");
@@ -196,20 +195,13 @@ final class Rules {
         if (link.target.is(Kind.EXIT_POINT) && link.target.border != null && !link.target.border.holds(link.source)) {
             refuse(place, link + " comes from outside", "end it at the state or at an entry point");
         }
-    }
-
-    /** @param known those already examined */
-    private void timeTriggers(Link link, Set<String> known) {
-        if (net.timeTriggers().isEmpty()) {
-            return;
-        }
-        for (String trigger : link.arc.triggers()) {
+        for (String trigger : net.timeTriggers().isEmpty() ? List.<String>of() : link.arc.triggers()) {
             try {
-                if (net.isTime(trigger) && known.add(trigger)) {
+                if (net.isTime(trigger) && timeTriggers.add(trigger)) {
                     new Event(trigger).timeTrigger();
                 }
             } catch (ModelException malformed) {
-                refuse(link.arc.place(), String.valueOf(malformed.getMessage()), "correct it on the " + link);
+                refuse(place, String.valueOf(malformed.getMessage()), "correct it on the " + link);
             }
         }
     }

@@ -38,9 +38,10 @@ public final class XmlNode {
         this.namespace = text(stream.getNamespaceURI());
         this.name = stream.getLocalName();
         this.line = stream.line();
-        this.attributes = new String[2 * stream.getAttributeCount()];
+        int count = stream.getAttributeCount();
+        this.attributes = new String[2 * count];
         int characters = 0;
-        for (int i = 0; i < stream.getAttributeCount(); i++) {
+        for (int i = 0; i < count; i++) {
             attributes[2 * i] = attributeName(stream, i);
             attributes[2 * i + 1] = stream.getAttributeValue(i);
             characters += attributes[2 * i + 1].length();
