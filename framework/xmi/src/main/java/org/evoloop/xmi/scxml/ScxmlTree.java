@@ -33,6 +33,22 @@ final class ScxmlTree {
                 collectDescriptors(child);
             }
         }
+        all.forEach(this::enter);
+    }
+
+    /** Makes a vertex known by its id. */
+    private void enter(ScxmlVertex vertex) {
+        // A copy, so that all ids are close together: a hundred thousand look-ups would be slow if each key was somewhere
+        // among all that was read from the file.
+        String id = new String(vertex.node().attribute("id").strip().toCharArray());
+        vertex.name(id, id.isEmpty() ? madeUpKey() : id);
+        ScxmlVertex namesake = id.isEmpty() ? null : byId.putIfAbsent(id, vertex);
+        if (namesake != null) {
+            problems.add(
+                    vertex.line(),
+                    vertex.node().name() + " " + Problems.quote(id) + " has the id of the "
+                            + namesake.node().name() + " in line " + namesake.line() + "; give each an id of its own");
+        }
     }
 
     private static boolean isVertex(XmlNode node) {
@@ -43,18 +59,8 @@ final class ScxmlTree {
     }
 
     private ScxmlVertex vertex(XmlNode node, @Nullable ScxmlVertex parent) {
-        // A copy, so that all ids are close together: a hundred thousand look-ups would be slow if each key was somewhere
-        // among all that was read from the file.
-        String id = new String(node.attribute("id").strip().toCharArray());
-        ScxmlVertex vertex = new ScxmlVertex(node, id, id.isEmpty() ? madeUpKey() : id, parent);
+        ScxmlVertex vertex = new ScxmlVertex(node, parent);
         all.add(vertex);
-        ScxmlVertex namesake = id.isEmpty() ? null : byId.putIfAbsent(id, vertex);
-        if (namesake != null) {
-            problems.add(
-                    vertex.line(),
-                    node.name() + " " + Problems.quote(id) + " has the id of the "
-                            + namesake.node().name() + " in line " + namesake.line() + "; give each an id of its own");
-        }
         for (XmlNode child : node.children()) {
             if (isVertex(child)) {
                 vertex.addInner(vertex(child, vertex));

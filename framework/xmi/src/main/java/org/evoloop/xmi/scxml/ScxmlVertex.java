@@ -14,23 +14,24 @@ import org.jspecify.annotations.Nullable;
  */
 final class ScxmlVertex {
     private final XmlNode node;
-    private final String id;
-    private final String key;
+    private String id = "";
+    private String key = "";
     private final @Nullable ScxmlVertex parent;
     private final List<XmlNode> transitions = new ArrayList<>();
     // Most vertices have nothing else in them.
     private List<ScxmlVertex> inner = List.of();
     private List<XmlNode> rest = List.of();
 
-    /**
-     * @param key its id, or a generated one
-     * @param parent null in the root
-     */
-    ScxmlVertex(XmlNode node, String id, String key, @Nullable ScxmlVertex parent) {
+    /** @param parent null in the root */
+    ScxmlVertex(XmlNode node, @Nullable ScxmlVertex parent) {
         this.node = node;
-        this.id = id;
-        this.key = key;
         this.parent = parent;
+    }
+
+    /** @param ownKey its id, or a generated one */
+    void name(String ownId, String ownKey) {
+        id = ownId;
+        key = ownKey;
     }
 
     void addInner(ScxmlVertex vertex) {
