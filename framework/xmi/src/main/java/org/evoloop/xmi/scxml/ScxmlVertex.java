@@ -17,6 +17,7 @@ final class ScxmlVertex {
     private String id = "";
     private String key = "";
     private final @Nullable ScxmlVertex parent;
+    private final boolean understood;
     private final List<XmlNode> transitions = new ArrayList<>();
     // Most vertices have nothing else in them.
     private List<ScxmlVertex> inner = List.of();
@@ -26,6 +27,7 @@ final class ScxmlVertex {
     ScxmlVertex(XmlNode node, @Nullable ScxmlVertex parent) {
         this.node = node;
         this.parent = parent;
+        this.understood = ScxmlVocabulary.understands(node);
     }
 
     /** @param ownKey its id, or a generated one */
@@ -62,6 +64,11 @@ final class ScxmlVertex {
     /** Unique in its document. */
     String key() {
         return key;
+    }
+
+    /** Whether everything in its element is read. */
+    boolean isUnderstood() {
+        return understood;
     }
 
     int line() {
