@@ -197,8 +197,9 @@ final class ScxmlArcs {
             return;
         }
         String condition = transition.attribute("cond").strip();
-        if (!transition.attribute("event").isBlank()) {
-            ScxmlEvents.Matched matched = events.matched(transition);
+        String event = transition.attribute("event");
+        if (!event.isBlank()) {
+            ScxmlEvents.Matched matched = events.matched(event);
             List<ScxmlVertex> done = free(matched.done(), condition, state);
             for (ScxmlVertex inner : done) {
                 done(transition, state, inner, targets, label);

@@ -94,9 +94,12 @@ final class ScxmlEvents {
         return state != null && state.canBeDone() ? state : null;
     }
 
-    /** The events that trigger a transition. */
-    Matched matched(XmlNode transition) {
-        String attribute = transition.attribute("event");
+    /**
+     * The events that trigger a transition.
+     *
+     * @param attribute its descriptors as written
+     */
+    Matched matched(String attribute) {
         Matched known = matched.get(attribute);
         if (known == null) {
             known = match(attribute);
