@@ -2,6 +2,7 @@ package org.evoloop.statechart;
 
 import static java.util.Objects.requireNonNull;
 
+import java.util.AbstractList;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
@@ -14,7 +15,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Function;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /** Finds every stable state of a machine, and what each event does there. */
@@ -100,12 +100,17 @@ final class Explorer {
 
     /** Every stable state, in document order. */
     List<Reached> inOrder() {
-        // The states of one vertex are already in order, which makes sorting fast.
-        return Stream.concat(
-                        Arrays.stream(alone).filter(number -> number != NONE).mapToObj(reached::get),
-                        others.values().stream())
-                .sorted(Comparator.comparing(state -> state.snapshot))
-                .toList();
+        List<Reached> ordered = new ArrayList<>(reached.size());
+        for (int number : alone) {
+            if (number != NONE) {
+                ordered.add(reached.get(number));
+            }
+        }
+        if (!others.isEmpty()) {
+            ordered.addAll(others.values());
+            ordered.sort(Comparator.comparing(state -> state.snapshot));
+        }
+        return ordered;
     }
 
     /** The state with this snapshot. */
@@ -170,7 +175,11 @@ final class Explorer {
 
     private List<Move> moves(Reached state) {
         Node node = PlainSteps.alone(net, state.snapshot);
-        List<Move> moves = new ArrayList<>(node == null ? 0 : node.outgoing.size());
+        if (node != null && PlainSteps.areAll(node)) {
+            node.outgoing.forEach(this::take);
+            return new PlainMoves(node);
+        }
+        List<Move> moves = new ArrayList<>();
         if (node == null || node.hasRivals() || !node.deferred().isEmpty()) {
             causes(state.snapshot).forEach((cause, owners) -> {
                 Link link = owners.size() == 1 && cause.kind() != Cause.Kind.COMPLETION
@@ -192,6 +201,7 @@ final class Explorer {
             for (int i = 0; i < triggers.size(); i++) {
                 Cause cause = cause(triggers.get(i), node);
                 if (plain) {
+                    take(link);
                     moves.add(plain(link, cause, left));
                 } else {
                     step(state, cause, moves);
@@ -228,12 +238,42 @@ final class Explorer {
         }
     }
 
-    private Move plain(Link link, Cause cause, Set<Node> left) {
+    /** Reaches the target of a plain transition. */
+    private void take(Link link) {
         used.set(link.index);
         visited.set(link.target.index);
-        int known = alone[link.target.index];
-        int target = known == NONE ? reach(Snapshot.of(link.target)).index : known;
-        return new Move(cause, List.of(), target, PlainSteps.effects(link), false, left, false);
+        if (alone[link.target.index] == NONE) {
+            reach(Snapshot.of(link.target));
+        }
+    }
+
+    private Move plain(Link link, Cause cause, Set<Node> left) {
+        return new Move(cause, List.of(), alone[link.target.index], PlainSteps.effects(link), false, left, false);
+    }
+
+    /**
+     * The moves of a vertex whose transitions are all plain. Most are, and each of their moves is needed only once, so
+     * they are made then.
+     */
+    private final class PlainMoves extends AbstractList<Move> {
+        private final Node node;
+        private final Set<Node> left;
+
+        PlainMoves(Node node) {
+            this.node = node;
+            this.left = Set.of(node);
+        }
+
+        @Override
+        public Move get(int index) {
+            Link link = node.outgoing.get(index);
+            return plain(link, cause(link.arc.triggers().get(0), node), left);
+        }
+
+        @Override
+        public int size() {
+            return node.outgoing.size();
+        }
     }
 
     /** Adds the moves for a cause. */

@@ -98,7 +98,9 @@ final class FlatMachine {
         builder.initial(states[start.index].name()).initialEffects(effects);
         List<Transition> leaving = new ArrayList<>();
         for (Flat flat : flats) {
-            for (Move move : flat.reached().moves) {
+            List<Move> moves = flat.reached().moves;
+            for (int i = 0; i < moves.size(); i++) {
+                Move move = moves.get(i);
                 if (move.deferred()) {
                     builder.defers(flat.state().name(), event(move.cause().name(), move.guards()));
                 }

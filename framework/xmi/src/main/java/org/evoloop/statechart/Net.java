@@ -28,6 +28,11 @@ record Net(
         return !timeTriggers.isEmpty() && timeTriggers.contains(trigger);
     }
 
+    /** Whether no state contains others, and there is nothing beside them. */
+    boolean isOneRegion() {
+        return tops.size() == 1 && tops.get(0).nodes.size() == nodes.size();
+    }
+
     Node node(int index) {
         return nodes.get(index);
     }

@@ -26,6 +26,23 @@ final class PlainSteps {
         return link.simple && target.zones.isEmpty() && !target.wantsCompletion();
     }
 
+    /** Whether everything that can happen in a vertex is a plain transition on one event, each on another one. */
+    static boolean areAll(Node node) {
+        if (!node.hasOnlySimple()
+                || node.hasRivals()
+                || !node.deferred().isEmpty()
+                || !node.onCompletion().isEmpty()
+                || node.triggerCount() != node.outgoing.size()) {
+            return false;
+        }
+        for (Link link : node.outgoing) {
+            if (!isPlain(link)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /**
      * The only transition of {@code node} on an event, if it only leaves one state and enters another, whatever is
      * around and beside them; else null.
