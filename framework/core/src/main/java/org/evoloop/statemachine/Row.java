@@ -24,11 +24,16 @@ final class Row {
         this.alone = List.of(state);
     }
 
-    /** A copy of {@code same}. */
+    /** A copy of {@code same} to which transitions can be added. */
     Row(Row same) {
         this.alone = same.alone;
-        this.transitions = List.copyOf(same.transitions);
+        this.transitions = same.transitions.isEmpty() ? List.of() : new ArrayList<>(same.transitions);
         this.byEvent = same.byEvent == null ? null : new HashMap<>(same.byEvent);
+    }
+
+    /** Makes its list unmodifiable; nothing can be added any more. */
+    void close() {
+        transitions = List.copyOf(transitions);
     }
 
     /** Adds a transition unless there is one on its event; returns that one, else null. */
@@ -72,7 +77,7 @@ final class Row {
         return alone;
     }
 
-    /** All transitions; the list of a copy is unmodifiable. */
+    /** All transitions; unmodifiable once it is closed. */
     List<Transition> transitions() {
         return transitions;
     }

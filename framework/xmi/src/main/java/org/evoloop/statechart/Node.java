@@ -1,6 +1,7 @@
 package org.evoloop.statechart;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -34,15 +35,15 @@ final class Node {
     private final List<String> activities;
     private final List<String> deferred;
 
-    // Most vertices have nothing in most of these lists.
+    // Most vertices have nothing in most of these lists. Unlike List.of(), this empty list makes no iterators.
 
-    List<Zone> zones = List.of();
+    List<Zone> zones = Collections.emptyList();
     /** In the order in which they are tried. */
-    List<Link> outgoing = List.of();
+    List<Link> outgoing = Collections.emptyList();
     /** Filled only for pseudostates; not needed for states. */
-    List<Link> incoming = List.of();
+    List<Link> incoming = Collections.emptyList();
 
-    private List<Link> completion = List.of();
+    private List<Link> completion = Collections.emptyList();
     /** Computed on first use, since it is rarely needed. */
     private @Nullable Map<String, List<Link>> byTrigger;
 

@@ -1,6 +1,7 @@
 package org.evoloop.xmi.scxml;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import org.evoloop.statechart.Place;
 import org.evoloop.xmi.dialect.XmlNode;
@@ -19,9 +20,9 @@ final class ScxmlVertex {
     private final @Nullable ScxmlVertex parent;
     private final boolean understood;
     private final List<XmlNode> transitions = new ArrayList<>();
-    // Most vertices have nothing else in them.
-    private List<ScxmlVertex> inner = List.of();
-    private List<XmlNode> rest = List.of();
+    // Most vertices have nothing else in them. Unlike List.of(), this empty list makes no iterators.
+    private List<ScxmlVertex> inner = Collections.emptyList();
+    private List<XmlNode> rest = Collections.emptyList();
 
     /** @param parent null in the root */
     ScxmlVertex(XmlNode node, @Nullable ScxmlVertex parent) {
