@@ -17,6 +17,8 @@ final class Row {
 
     private final List<State> alone;
     private List<Transition> transitions = List.of();
+    /** Whether the list can be modified. */
+    private boolean open;
     /** Null while there are few. */
     private @Nullable Map<Event, Transition> byEvent;
 
@@ -24,16 +26,19 @@ final class Row {
         this.alone = List.of(state);
     }
 
-    /** A copy of {@code same} to which transitions can be added. */
+    /** A copy of {@code same}, which is closed. */
     Row(Row same) {
         this.alone = same.alone;
-        this.transitions = same.transitions.isEmpty() ? List.of() : new ArrayList<>(same.transitions);
+        this.transitions = same.transitions;
         this.byEvent = same.byEvent == null ? null : new HashMap<>(same.byEvent);
     }
 
-    /** Makes its list unmodifiable; nothing can be added any more. */
+    /** Makes its list unmodifiable, until a transition is added. */
     void close() {
-        transitions = List.copyOf(transitions);
+        if (open) {
+            transitions = List.copyOf(transitions);
+            open = false;
+        }
     }
 
     /** Adds a transition unless there is one on its event; returns that one, else null. */
@@ -41,8 +46,11 @@ final class Row {
     Transition putIfAbsent(Transition transition) {
         Transition present = find(transition.event());
         if (present == null) {
-            if (transitions.isEmpty()) {
-                transitions = new ArrayList<>(FEW);
+            if (!open) {
+                List<Transition> before = transitions;
+                transitions = new ArrayList<>(before.size() + FEW);
+                transitions.addAll(before);
+                open = true;
             }
             transitions.add(transition);
             if (byEvent != null) {

@@ -171,6 +171,7 @@ public final class StateMachineBuilder {
         for (Transition transition : leaving) {
             add(transition, row, "");
         }
+        row.close();
         return this;
     }
 
