@@ -235,6 +235,9 @@ final class ScxmlArcs {
      * the first.
      */
     private <T> List<T> free(List<T> causes, String condition, ScxmlVertex state) {
+        if (causes.isEmpty()) {
+            return causes;
+        }
         boolean all = true;
         for (int i = 0; i < causes.size(); i++) {
             all &= isFree(causes.get(i), condition, state);
@@ -415,6 +418,11 @@ final class ScxmlArcs {
     }
 
     private static void add(Map<String, List<Arc>> to, String region, Arc arc) {
-        to.computeIfAbsent(region, any -> new ArrayList<>()).add(arc);
+        List<Arc> arcs = to.get(region);
+        if (arcs == null) {
+            arcs = new ArrayList<>();
+            to.put(region, arcs);
+        }
+        arcs.add(arc);
     }
 }
