@@ -184,18 +184,28 @@ public final class XmlNode {
         return "";
     }
 
+    /** The number of attributes. */
+    public int attributeCount() {
+        return attributes.length / 2;
+    }
+
+    /** The name of an attribute. */
+    public String attributeName(int index) {
+        return attributes[2 * index];
+    }
+
     /** The names of all attributes. */
     public List<String> attributeNames() {
         // A view, since callers iterate over it very often.
         return new AbstractList<>() {
             @Override
             public String get(int index) {
-                return attributes[2 * index];
+                return attributeName(index);
             }
 
             @Override
             public int size() {
-                return attributes.length / 2;
+                return attributeCount();
             }
         };
     }

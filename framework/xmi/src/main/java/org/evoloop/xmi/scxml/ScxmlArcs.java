@@ -182,9 +182,8 @@ final class ScxmlArcs {
     /** @param label computed only when needed, since there may be a hundred thousand transitions */
     private void read(XmlNode transition, ScxmlVertex state, Supplier<String> label) {
         // Here and below, no iterators: with a hundred thousand transitions they would be most of the garbage.
-        List<String> attributes = transition.attributeNames();
-        for (int i = 0; i < attributes.size(); i++) {
-            String attribute = attributes.get(i);
+        for (int i = 0; i < transition.attributeCount(); i++) {
+            String attribute = transition.attributeName(i);
             if (!isKnown(attribute)) {
                 problems.add(
                         transition.line(),
@@ -341,10 +340,10 @@ final class ScxmlArcs {
 
     /** SCXML has no keywords, but allows attributes of other namespaces. */
     private static boolean isSpontaneous(XmlNode transition) {
-        List<String> names = transition.attributeNames();
-        for (int i = 0; i < names.size(); i++) {
-            if (names.get(i).endsWith(":spontaneous")
-                    && transition.attribute(names.get(i)).strip().equals("true")) {
+        for (int i = 0; i < transition.attributeCount(); i++) {
+            String name = transition.attributeName(i);
+            if (name.endsWith(":spontaneous")
+                    && transition.attribute(name).strip().equals("true")) {
                 return true;
             }
         }

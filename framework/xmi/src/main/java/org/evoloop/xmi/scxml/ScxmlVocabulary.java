@@ -63,9 +63,8 @@ final class ScxmlVocabulary {
     /** Whether everything in the element is read, so that {@link #check} would report nothing. */
     static boolean understands(XmlNode node) {
         Set<String> known = KNOWN.getOrDefault(node.name(), Set.of());
-        List<String> attributes = node.attributeNames();
-        for (int i = 0; i < attributes.size(); i++) {
-            if (!isKnown(attributes.get(i), known)) {
+        for (int i = 0; i < node.attributeCount(); i++) {
+            if (!isKnown(node.attributeName(i), known)) {
                 return false;
             }
         }
