@@ -96,12 +96,14 @@ public final class DecisionTable {
 
     /** The number of a configuration; one that is new is explored later. */
     private int reach(Configuration at) {
-        Integer known = situations.putIfAbsent(at, reached.size());
+        Integer known = situations.get(at);
         if (known != null) {
             return known;
         }
+        int number = reached.size();
+        situations.put(at, number);
         reached.add(at);
-        return reached.size() - 1;
+        return number;
     }
 
     private void explore(boolean withInterference, Set<Decision.Impossible> impossible) {

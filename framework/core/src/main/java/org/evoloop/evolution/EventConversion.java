@@ -47,19 +47,33 @@ final class EventConversion {
     /**
      * What a state of the new model corresponds to in the device.
      *
+     * @param first the first of {@code goals}, and most often the only one, so that the list need not be examined; null
+     *     for a new state
      * @param goals the corresponding states of the device; none for a new state
      * @param together the configuration once the device is in the first goal: most decisions end in it, and one shared
      *     object is looked up faster than equal ones; null for a new state
      */
     private record Target(
-            State state, List<State> goals, @Nullable Configuration together) {
+            State state,
+            @Nullable State first,
+            List<State> goals,
+            @Nullable Configuration together) {
         static Target of(State state, ModelPair pair) {
             List<State> goals = pair.deviceStates(state);
-            return new Target(state, goals, goals.isEmpty() ? null : new Configuration(goals.get(0), state));
+            State first = goals.isEmpty() ? null : goals.get(0);
+            return new Target(state, first, goals, first == null ? null : new Configuration(first, state));
+        }
+
+        boolean isNew() {
+            return first == null;
+        }
+
+        boolean hasGoal(State original) {
+            return original.equals(first) || goals.contains(original);
         }
 
         Configuration with(State original) {
-            return together != null && together.original().equals(original)
+            return together != null && original.equals(first)
                     ? together
                     : new Configuration(original, state);
         }
@@ -67,12 +81,12 @@ final class EventConversion {
 
     /** Whether only the new model has {@code state}. */
     boolean isNew(State state) {
-        return target(state).goals().isEmpty();
+        return target(state).isNew();
     }
 
     private Target target(State state) {
         Target known = targets.get(state);
-        return known == null ? new Target(state, List.of(), null) : known;
+        return known == null ? new Target(state, null, List.of(), null) : known;
     }
 
     /**
@@ -122,12 +136,12 @@ final class EventConversion {
                             + " is the device's, but can neither be sent nor is it declared to be the device's own");
         }
         Target target = target(transition.target());
-        List<State> goals = target.goals();
-        if (goals.isEmpty()) {
+        if (target.isNew()) {
             return new Decision.NewState(
                     before, target.with(original), steps, transition, effectsLeft(transition, steps));
         }
-        Optional<List<Step>> way = taken ? planner.shortestPath(original, goals) : wayFor(original, same, goals);
+        Optional<List<Step>> way =
+                taken ? planner.shortestPath(original, target.goals()) : wayFor(original, same, target);
         if (way.isEmpty()) {
             return new Decision.Impossible(
                     before,
@@ -165,15 +179,14 @@ final class EventConversion {
         }
         Target target = target(transition.target());
         List<Step> done = own == null ? List.of() : List.of(own);
-        List<State> goals = target.goals();
-        if (goals.isEmpty()) {
+        if (target.isNew()) {
             return new Decision.NewState(
                     at, target.with(at.original()), List.of(), transition, effectsLeft(transition, done));
         }
-        if (follow && own != null && goals.contains(own.target())) {
+        if (follow && own != null && target.hasGoal(own.target())) {
             return existing(at, List.of(), done, List.of(), transition, target);
         }
-        List<Step> way = planner.shortestPath(at.original(), goals).orElse(null);
+        List<Step> way = planner.shortestPath(at.original(), target.goals()).orElse(null);
         return way == null
                 ? new Decision.Impossible(
                         at,
@@ -262,12 +275,12 @@ final class EventConversion {
     }
 
     /**
-     * The incoming event itself if it leads to one of {@code goals}, even from a state to itself; else the shortest
+     * The incoming event itself if it leads to one of the goals, even from a state to itself; else the shortest
      * path.
      */
-    private Optional<List<Step>> wayFor(State original, @Nullable Transition same, List<State> goals) {
-        Step direct = same == null || !goals.contains(same.target()) ? null : planner.stepOver(same);
-        return direct == null ? planner.shortestPath(original, goals) : Optional.of(List.of(direct));
+    private Optional<List<Step>> wayFor(State original, @Nullable Transition same, Target target) {
+        Step direct = same == null || !target.hasGoal(same.target()) ? null : planner.stepOver(same);
+        return direct == null ? planner.shortestPath(original, target.goals()) : Optional.of(List.of(direct));
     }
 
     /** The effects of the new model's transition that the device does not run by itself in {@code steps}. */

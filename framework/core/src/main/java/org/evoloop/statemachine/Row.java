@@ -17,6 +17,8 @@ final class Row {
 
     private final List<State> alone;
     private List<Transition> transitions = List.of();
+    /** Whether the list can be modified. */
+    private boolean open;
     /** Null while there are few. */
     private @Nullable Map<Event, Transition> byEvent;
 
@@ -24,11 +26,19 @@ final class Row {
         this.alone = List.of(state);
     }
 
-    /** A copy of {@code same}. */
+    /** A copy of {@code same}, which is closed. */
     Row(Row same) {
         this.alone = same.alone;
-        this.transitions = List.copyOf(same.transitions);
+        this.transitions = same.transitions;
         this.byEvent = same.byEvent == null ? null : new HashMap<>(same.byEvent);
+    }
+
+    /** Makes its list unmodifiable, until a transition is added. */
+    void close() {
+        if (open) {
+            transitions = List.copyOf(transitions);
+            open = false;
+        }
     }
 
     /** Adds a transition unless there is one on its event; returns that one, else null. */
@@ -36,8 +46,11 @@ final class Row {
     Transition putIfAbsent(Transition transition) {
         Transition present = find(transition.event());
         if (present == null) {
-            if (transitions.isEmpty()) {
-                transitions = new ArrayList<>(FEW);
+            if (!open) {
+                List<Transition> before = transitions;
+                transitions = new ArrayList<>(before.size() + FEW);
+                transitions.addAll(before);
+                open = true;
             }
             transitions.add(transition);
             if (byEvent != null) {
@@ -72,7 +85,7 @@ final class Row {
         return alone;
     }
 
-    /** All transitions; the list of a copy is unmodifiable. */
+    /** All transitions; unmodifiable once it is closed. */
     List<Transition> transitions() {
         return transitions;
     }

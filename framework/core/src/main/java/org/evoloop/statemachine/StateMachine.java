@@ -39,6 +39,7 @@ public final class StateMachine {
     /** States that differ only in their memory, by the state without memory; only where there are several. */
     private final Map<State, List<State>> alike;
 
+    /** @param rows kept, and not changed any more */
     StateMachine(
             String name,
             State initial,
@@ -49,8 +50,8 @@ public final class StateMachine {
             Map<State, StateTraits> traits) {
         this.name = name;
         this.initial = initial;
-        this.rows = new LinkedHashMap<>(rows);
-        this.rows.replaceAll((state, row) -> new Row(row));
+        this.rows = rows;
+        rows.values().forEach(Row::close);
         this.events = Collections.unmodifiableSet(new LinkedHashSet<>(events));
         this.spontaneous = Collections.unmodifiableSet(new LinkedHashSet<>(spontaneous));
         this.guards = guardsOf(this.events);

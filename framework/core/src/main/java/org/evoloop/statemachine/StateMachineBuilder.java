@@ -20,7 +20,9 @@ import org.jspecify.annotations.Nullable;
 public final class StateMachineBuilder {
     private final String name;
     /** By the states, in their order. */
-    private final Map<State, Row> rows = new LinkedHashMap<>();
+    private Map<State, Row> rows = new LinkedHashMap<>();
+    /** Whether the last machine built has the rows; they are copied before the next change. */
+    private boolean built;
 
     private final Set<Event> events = new LinkedHashSet<>();
     /** Only for transitions with a place. */
@@ -54,6 +56,11 @@ public final class StateMachineBuilder {
     }
 
     private Row row(State state) {
+        if (built) {
+            rows = new LinkedHashMap<>(rows);
+            rows.replaceAll((each, row) -> new Row(row));
+            built = false;
+        }
         Row row = rows.get(state);
         if (row == null) {
             row = new Row(state);
@@ -164,6 +171,7 @@ public final class StateMachineBuilder {
         for (Transition transition : leaving) {
             add(transition, row, "");
         }
+        row.close();
         return this;
     }
 
@@ -213,6 +221,7 @@ public final class StateMachineBuilder {
         if (start == null || !problems.isEmpty()) {
             throw new ModelException("state machine '" + name + "': " + String.join("; ", problems));
         }
+        built = true;
         return new StateMachine(name, start, rows, events, spontaneous, initialEffects, traits);
     }
 }

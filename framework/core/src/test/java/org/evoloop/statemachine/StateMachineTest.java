@@ -47,6 +47,19 @@ class StateMachineTest {
     }
 
     @Test
+    void isNotChangedByItsBuilder() {
+        StateMachineBuilder builder = StateMachine.named("lamp").initial("Off").transition("Off", "press", "On");
+        StateMachine built = builder.build();
+
+        StateMachine dimmed = builder.transition("Off", "hold", "Dim").build();
+
+        assertThat(built.states()).containsExactly(new State("Off"), new State("On"));
+        assertThat(built.transitions()).hasSize(1);
+        assertThat(dimmed.states()).hasSize(3);
+        assertThat(dimmed.transitionsFrom(new State("Off"))).hasSize(2);
+    }
+
+    @Test
     void namesBothTransitionsThatMakeItNondeterministic() {
         StateMachineBuilder builder = StateMachine.named("robot")
                 .initial("Clean")

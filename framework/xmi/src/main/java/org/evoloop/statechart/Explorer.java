@@ -2,6 +2,7 @@ package org.evoloop.statechart;
 
 import static java.util.Objects.requireNonNull;
 
+import java.util.AbstractList;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
@@ -12,10 +13,8 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Set;
 import java.util.function.Function;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /** Finds every stable state of a machine, and what each event does there. */
@@ -33,13 +32,18 @@ final class Explorer {
     /** The effort of a step that is not plain. */
     private static final int FULL_STEP = 20;
 
+    private static final int NONE = -1;
+
     private static final String SMALLER = "draw fewer regions side by side, or histories, or guards on one event";
 
     private final Net net;
     private final Set<Problem> problems = new LinkedHashSet<>();
     private final List<Reached> reached = new ArrayList<>();
-    /** The states in which only one vertex matters, by its number. Most states are like this and need no hashing. */
-    private final @Nullable Reached[] alone;
+    /**
+     * The numbers of the states in which only one vertex matters, by that vertex; {@link #NONE} for a vertex without.
+     * Most states are like this and need no hashing.
+     */
+    private final int[] alone;
 
     private final Map<Snapshot, Reached> others = new HashMap<>();
     private final Map<String, Cause> events = new HashMap<>();
@@ -55,7 +59,8 @@ final class Explorer {
 
     Explorer(Net net) {
         this.net = net;
-        this.alone = new Reached[net.nodes().size()];
+        this.alone = new int[net.nodes().size()];
+        Arrays.fill(alone, NONE);
         SizeEstimate estimate = new SizeEstimate(net);
         this.tooLarge = estimate.exceeds(MAX_STATES, MAX_MOVES) ? estimate : null;
     }
@@ -95,10 +100,17 @@ final class Explorer {
 
     /** Every stable state, in document order. */
     List<Reached> inOrder() {
-        // The states of one vertex are already in order, which makes sorting fast.
-        return Stream.concat(Arrays.stream(alone).filter(Objects::nonNull), others.values().stream())
-                .sorted(Comparator.comparing(state -> state.snapshot))
-                .toList();
+        List<Reached> ordered = new ArrayList<>(reached.size());
+        for (int number : alone) {
+            if (number != NONE) {
+                ordered.add(reached.get(number));
+            }
+        }
+        if (!others.isEmpty()) {
+            ordered.addAll(others.values());
+            ordered.sort(Comparator.comparing(state -> state.snapshot));
+        }
+        return ordered;
     }
 
     /** The state with this snapshot. */
@@ -106,9 +118,15 @@ final class Explorer {
         return requireNonNull(find(state));
     }
 
-    /** Whether a transition is ever taken. */
-    boolean uses(Link link) {
-        return used.get(link.index);
+    /** The transitions that are never taken. */
+    List<Link> unused() {
+        if (used.cardinality() == net.links()) {
+            return List.of();
+        }
+        return net.nodes().stream()
+                .flatMap(node -> node.outgoing.stream())
+                .filter(link -> !used.get(link.index))
+                .toList();
     }
 
     private void begin() {
@@ -144,7 +162,7 @@ final class Explorer {
     /** States that are never entered still belong to the model; the checks report them. */
     private void visitUnreachable() {
         for (Node node : net.nodes()) {
-            if (node.isState() && node.zones.isEmpty() && !visited.get(node.index)) {
+            if (!visited.get(node.index) && node.isState() && node.zones.isEmpty()) {
                 for (Case one : cases(step -> step.startIn(node))) {
                     if (one.outcome() != null) {
                         found(one.outcome());
@@ -157,6 +175,10 @@ final class Explorer {
 
     private List<Move> moves(Reached state) {
         Node node = PlainSteps.alone(net, state.snapshot);
+        if (node != null && PlainSteps.areAll(node)) {
+            node.outgoing.forEach(this::take);
+            return new PlainMoves(node);
+        }
         List<Move> moves = new ArrayList<>();
         if (node == null || node.hasRivals() || !node.deferred().isEmpty()) {
             causes(state.snapshot).forEach((cause, owners) -> {
@@ -175,11 +197,14 @@ final class Explorer {
         Set<Node> left = Set.of(node);
         for (Link link : node.outgoing) {
             boolean plain = PlainSteps.isPlain(link);
-            for (String trigger : link.arc.triggers()) {
+            List<String> triggers = link.arc.triggers();
+            for (int i = 0; i < triggers.size(); i++) {
+                Cause cause = cause(triggers.get(i), node);
                 if (plain) {
-                    moves.add(plain(link, cause(trigger, node), left));
+                    take(link);
+                    moves.add(plain(link, cause, left));
                 } else {
-                    step(state, cause(trigger, node), moves);
+                    step(state, cause, moves);
                 }
             }
         }
@@ -195,9 +220,7 @@ final class Explorer {
         used.set(link.index);
         visited.set(link.target.index);
         Snapshot after = state.with(link.source, link.target);
-        Reached known = find(after);
-        Reached target = known == null ? reach(after) : known;
-        return new Move(cause, List.of(), target, PlainSteps.effects(link), false, Set.of(link.source), false);
+        return new Move(cause, List.of(), number(after), PlainSteps.effects(link), false, Set.of(link.source), false);
     }
 
     private void work(long amount) {
@@ -215,12 +238,42 @@ final class Explorer {
         }
     }
 
-    private Move plain(Link link, Cause cause, Set<Node> left) {
+    /** Reaches the target of a plain transition. */
+    private void take(Link link) {
         used.set(link.index);
         visited.set(link.target.index);
-        Reached known = alone[link.target.index];
-        Reached target = known == null ? reach(Snapshot.of(link.target)) : known;
-        return new Move(cause, List.of(), target, PlainSteps.effects(link), false, left, false);
+        if (alone[link.target.index] == NONE) {
+            reach(Snapshot.of(link.target));
+        }
+    }
+
+    private Move plain(Link link, Cause cause, Set<Node> left) {
+        return new Move(cause, List.of(), alone[link.target.index], PlainSteps.effects(link), false, left, false);
+    }
+
+    /**
+     * The moves of a vertex whose transitions are all plain. Most are, and each of their moves is needed only once, so
+     * they are made then.
+     */
+    private final class PlainMoves extends AbstractList<Move> {
+        private final Node node;
+        private final Set<Node> left;
+
+        PlainMoves(Node node) {
+            this.node = node;
+            this.left = Set.of(node);
+        }
+
+        @Override
+        public Move get(int index) {
+            Link link = node.outgoing.get(index);
+            return plain(link, cause(link.arc.triggers().get(0), node), left);
+        }
+
+        @Override
+        public int size() {
+            return node.outgoing.size();
+        }
     }
 
     /** Adds the moves for a cause. */
@@ -249,7 +302,7 @@ final class Explorer {
                         outcome.left(),
                         false));
             } else if (one.deferred()) {
-                found.add(new Move(cause, one.guards(), state, List.of(), true, Set.of(), true));
+                found.add(new Move(cause, one.guards(), state.index, List.of(), true, Set.of(), true));
             } else if (hides(one, cases.subList(i + 1, cases.size()))) {
                 found.add(nothing(cause, one.guards(), state));
             }
@@ -262,7 +315,7 @@ final class Explorer {
     }
 
     private static Move nothing(Cause cause, List<String> guards, Reached state) {
-        return new Move(cause, guards, state, List.of(), true, Set.of(), false);
+        return new Move(cause, guards, state.index, List.of(), true, Set.of(), false);
     }
 
     /** Whether a later move would wrongly be taken in this case, in which nothing happens. */
@@ -271,15 +324,23 @@ final class Explorer {
                 .anyMatch(one -> one.outcome() != null && nothing.guards().containsAll(one.guards()));
     }
 
-    private Reached found(Outcome outcome) {
+    private int found(Outcome outcome) {
         outcome.used().forEach(link -> used.set(link.index));
         outcome.entered().forEach(node -> visited.set(node.index));
-        Reached known = find(outcome.target());
-        return known == null ? reach(outcome.target()) : known;
+        return number(outcome.target());
+    }
+
+    private int number(Snapshot state) {
+        Reached known = find(state);
+        return (known == null ? reach(state) : known).index;
     }
 
     private @Nullable Reached find(Snapshot state) {
-        return state.isOneState() ? alone[state.leaves()[0]] : others.get(state);
+        if (!state.isOneState()) {
+            return others.get(state);
+        }
+        int number = alone[state.leaves()[0]];
+        return number == NONE ? null : reached.get(number);
     }
 
     private Reached reach(Snapshot state) {
@@ -289,7 +350,7 @@ final class Explorer {
         Reached added = new Reached(reached.size(), state);
         reached.add(added);
         if (state.isOneState()) {
-            alone[state.leaves()[0]] = added;
+            alone[state.leaves()[0]] = added.index;
         } else {
             others.put(state, added);
         }

@@ -23,6 +23,8 @@ final class FlatMachine {
     private final List<Flat> flats = new ArrayList<>();
     /** The flat state of each state found, by number. */
     private final Flat[] byNumber;
+    /** Their states, since every transition needs the one that it leads to. */
+    private final State[] states;
 
     private final Map<String, Event> unguarded = new HashMap<>();
     private final Map<Event, Event> guarded = new HashMap<>();
@@ -36,6 +38,7 @@ final class FlatMachine {
     FlatMachine(Net net, List<Reached> reached, List<Reached> inOrder) {
         this.net = net;
         this.byNumber = new Flat[reached.size()];
+        this.states = new State[reached.size()];
         List<Reached> representatives = Histories.merge(reached);
         List<Reached> ordered = inOrder.stream()
                 .filter(state -> representatives.get(state.index) == state)
@@ -54,7 +57,9 @@ final class FlatMachine {
             findAmbiguous(flat);
         }
         for (Reached state : reached) {
-            byNumber[state.index] = byNumber[representatives.get(state.index).index];
+            Flat flat = byNumber[representatives.get(state.index).index];
+            byNumber[state.index] = flat;
+            states[state.index] = flat.state();
         }
     }
 
@@ -90,10 +95,12 @@ final class FlatMachine {
             Snapshot drawn = flat.reached().snapshot;
             builder.drawn(flat.state(), flat.plain(), activities, paths(drawn), isEnd(drawn));
         }
-        builder.initial(flat(start).state().name()).initialEffects(effects);
+        builder.initial(states[start.index].name()).initialEffects(effects);
         List<Transition> leaving = new ArrayList<>();
         for (Flat flat : flats) {
-            for (Move move : flat.reached().moves) {
+            List<Move> moves = flat.reached().moves;
+            for (int i = 0; i < moves.size(); i++) {
+                Move move = moves.get(i);
                 if (move.deferred()) {
                     builder.defers(flat.state().name(), event(move.cause().name(), move.guards()));
                 }
@@ -128,15 +135,17 @@ final class FlatMachine {
     }
 
     private Transition transition(Flat source, Move move) {
-        Flat target = flat(move.target());
-        boolean internal = move.still() && target.state().equals(source.state());
+        State target = states[move.target()];
+        boolean internal = move.still() && target.equals(source.state());
         return new Transition(
                 source.state(),
                 event(name(move.cause()), move.guards()),
-                target.state(),
+                target,
                 move.effects(),
                 internal,
-                internal ? Set.of() : keeps(source, move.left(), target));
+                internal || source.goingOn().isEmpty()
+                        ? Set.of()
+                        : keeps(source, move.left(), byNumber[move.target()]));
     }
 
     /** Returns the same object for equal events, since there are far fewer events than transitions. */
@@ -157,9 +166,6 @@ final class FlatMachine {
     }
 
     private Set<String> keeps(Flat source, Set<Node> left, Flat target) {
-        if (source.goingOn().isEmpty()) {
-            return Set.of();
-        }
         Set<String> keeps = new LinkedHashSet<>();
         for (Owned owned : source.goingOn()) {
             if (!left.contains(owned.owner()) && target.goingOn().contains(owned)) {
@@ -167,10 +173,6 @@ final class FlatMachine {
             }
         }
         return keeps;
-    }
-
-    private Flat flat(Reached state) {
-        return byNumber[state.index];
     }
 
     private String name(Owned owned) {

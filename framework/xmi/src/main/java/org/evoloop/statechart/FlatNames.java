@@ -21,6 +21,9 @@ import org.jspecify.annotations.Nullable;
 final class FlatNames {
     private final Net net;
     private final List<Snapshot> states;
+    /** Whether {@link Rules} have made sure that all names are different: those of the states of a single region. */
+    private final boolean inOneRegion;
+
     private final Set<String> ambiguousLeaves;
     /** The names made of the innermost vertices alone. */
     private final List<String> leaves = new ArrayList<>();
@@ -31,14 +34,22 @@ final class FlatNames {
     FlatNames(Net net, List<Snapshot> states) {
         this.net = net;
         this.states = states;
+        this.inOneRegion = net.isOneRegion()
+                && states.stream()
+                        .allMatch(state -> state.isOneState()
+                                && net.node(state.leaves()[0]).isState());
+        this.ambiguousLeaves = inOneRegion ? Set.of() : ambiguous(visited());
+        states.forEach(state -> leaves.add(leaves(state)));
+    }
+
+    private Stream<Node> visited() {
         BitSet visited = new BitSet();
         for (Snapshot state : states) {
             for (int leaf : state.leaves()) {
                 visited.set(leaf);
             }
         }
-        this.ambiguousLeaves = ambiguous(visited.stream().mapToObj(net::node));
-        states.forEach(state -> leaves.add(leaves(state)));
+        return visited.stream().mapToObj(net::node);
     }
 
     private static Set<String> ambiguous(Stream<Node> nodes) {
@@ -56,7 +67,7 @@ final class FlatNames {
 
     /** The names of all flat states, in order; all are different. */
     List<String> all() {
-        if (areDifferent(leaves)) {
+        if (inOneRegion || areDifferent(leaves)) {
             return leaves;
         }
         List<String> names = new ArrayList<>(leaves);

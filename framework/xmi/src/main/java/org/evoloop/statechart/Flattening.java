@@ -1,10 +1,8 @@
 package org.evoloop.statechart;
 
 import java.util.ArrayList;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.stream.Collectors;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.State;
@@ -81,7 +79,9 @@ public final class Flattening {
         try {
             FlatMachine flat = new FlatMachine(net, explorer.reached(), explorer.inOrder());
             StateMachine machine = flat.machine(explorer.reached(start.target()), start.effects());
-            return new Flattening(problems, machine, flat, unused(net, explorer));
+            List<Arc> unused =
+                    explorer.unused().stream().map(link -> link.arc).distinct().toList();
+            return new Flattening(problems, machine, flat, unused);
         } catch (ModelException refused) {
             return failed(
                     List.of(new Problem(chart.place(), String.valueOf(refused.getMessage()), "rename one of them")));
@@ -90,18 +90,6 @@ public final class Flattening {
 
     private static Flattening failed(List<Problem> problems) {
         return new Flattening(problems, null, null, List.of());
-    }
-
-    private static List<Arc> unused(Net net, Explorer explorer) {
-        Set<Arc> arcs = new LinkedHashSet<>();
-        for (Node node : net.nodes()) {
-            for (Link link : node.outgoing) {
-                if (!explorer.uses(link)) {
-                    arcs.add(link.arc);
-                }
-            }
-        }
-        return List.copyOf(arcs);
     }
 
     /**

@@ -92,7 +92,7 @@ final class Histories {
                     move.still(),
                     move.left(),
                     move.deferred(),
-                    blocks[move.target().index]));
+                    blocks[move.target()]));
         }
         return reactions;
     }

@@ -11,11 +11,22 @@ final class Link {
     final Node source;
     final Node target;
 
+    /**
+     * Whether it leads from a state to a state of the same region, without a guard or a keyword. Most transitions do,
+     * and since few rules apply to them, neither end needs to be examined again.
+     */
+    final boolean simple;
+
     Link(int index, Arc arc, Node source, Node target) {
         this.index = index;
         this.arc = arc;
         this.source = source;
         this.target = target;
+        this.simple = source.isState()
+                && target.isState()
+                && source.zone == target.zone
+                && arc.kind() == Arc.Kind.EXTERNAL
+                && arc.guard().isEmpty();
     }
 
     /** Whether it leaves no state. That includes a local transition from a state without regions to itself. */

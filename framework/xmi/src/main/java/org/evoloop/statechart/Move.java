@@ -6,7 +6,7 @@ import java.util.Set;
 /**
  * What an event does if its guards hold and those of earlier moves do not.
  *
- * @param target the stable state reached
+ * @param target the number of the stable state reached
  * @param effects the behaviors that run, in order
  * @param still whether nothing is left or entered
  * @param left the states that are left, even if they are entered again
@@ -15,7 +15,7 @@ import java.util.Set;
 record Move(
         Cause cause,
         List<String> guards,
-        Reached target,
+        int target,
         List<String> effects,
         boolean still,
         Set<Node> left,

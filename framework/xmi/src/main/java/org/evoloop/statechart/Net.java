@@ -8,6 +8,7 @@ import java.util.Set;
  *
  * @param tops its top regions
  * @param nodes in document order
+ * @param links the number of transitions
  * @param triggers the events on transitions
  * @param timeTriggers the timer events
  * @param spontaneous the events drawn as raised by the device itself
@@ -17,6 +18,7 @@ record Net(
         Statechart chart,
         List<Zone> tops,
         List<Node> nodes,
+        int links,
         Set<String> triggers,
         Set<String> timeTriggers,
         Set<String> spontaneous,
@@ -24,6 +26,11 @@ record Net(
     /** Whether an event is raised by a timer. */
     boolean isTime(String trigger) {
         return !timeTriggers.isEmpty() && timeTriggers.contains(trigger);
+    }
+
+    /** Whether no state contains others, and there is nothing beside them. */
+    boolean isOneRegion() {
+        return tops.size() == 1 && tops.get(0).nodes.size() == nodes.size();
     }
 
     Node node(int index) {

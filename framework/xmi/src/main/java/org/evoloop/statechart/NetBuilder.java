@@ -59,7 +59,7 @@ final class NetBuilder {
                 vertex(work.vertex(), work.zone(), left);
             }
         }
-        arcs.forEach(this::connect);
+        connect();
         Map<String, Node> named = new HashMap<>();
         nodes.forEach(node -> node.arrange(named));
         Set<String> timeTriggers = new HashSet<>(named.keySet());
@@ -67,7 +67,7 @@ final class NetBuilder {
         timeTriggers.removeIf(name -> !isTime(name));
         boolean calm = timeTriggers.isEmpty()
                 && nodes.stream().allMatch(node -> node.activities().isEmpty());
-        return new Net(chart, tops, nodes, named.keySet(), timeTriggers, spontaneous, calm);
+        return new Net(chart, tops, nodes, links, named.keySet(), timeTriggers, spontaneous, calm);
     }
 
     private static boolean isTime(String trigger) {
@@ -96,7 +96,11 @@ final class NetBuilder {
                     region.place(), "states are nested deeper than " + MAX_DEPTH, "draw a machine of fewer levels"));
             return;
         }
-        (owner == null ? tops : owner.zones).add(zone);
+        if (owner == null) {
+            tops.add(zone);
+        } else {
+            owner.add(zone);
+        }
         for (int i = region.vertices().size() - 1; i >= 0; i--) {
             left.push(new Work(null, null, region.vertices().get(i), zone));
         }
@@ -141,9 +145,18 @@ final class NetBuilder {
         return node;
     }
 
-    private void connect(Arc arc) {
-        Node source = byKey.get(arc.source());
-        Node target = byKey.get(arc.target());
+    private void connect() {
+        Node source = null;
+        for (Arc arc : arcs) {
+            // The transitions of a vertex are usually drawn one after the other.
+            if (source == null || !source.vertex.key().equals(arc.source())) {
+                source = byKey.get(arc.source());
+            }
+            connect(arc, source, byKey.get(arc.target()));
+        }
+    }
+
+    private void connect(Arc arc, @Nullable Node source, @Nullable Node target) {
         if (source == null || target == null) {
             problems.add(new Problem(
                     arc.place(),
@@ -153,12 +166,12 @@ final class NetBuilder {
             return;
         }
         Link link = new Link(links++, arc, source, target);
-        source.outgoing.add(link);
+        source.addOutgoing(link);
         if (!arc.spontaneous().isEmpty()) {
             spontaneous.addAll(arc.spontaneous());
         }
         if (target.isPseudostate()) {
-            target.incoming.add(link);
+            target.addIncoming(link);
         }
     }
 }

@@ -1,6 +1,7 @@
 package org.evoloop.statechart;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -24,23 +25,32 @@ final class Node {
     /** The state on whose border an entry or exit point stands. */
     final @Nullable Node border;
 
-    /** Null unless it is a state. */
-    private final @Nullable ChartState state;
     /** Null unless it is a pseudostate. */
     private final @Nullable Kind kind;
 
-    final List<Zone> zones = new ArrayList<>();
-    /** In the order in which they are tried. */
-    final List<Link> outgoing = new ArrayList<>();
-    /** Filled only for pseudostates; not needed for states. */
-    final List<Link> incoming = new ArrayList<>();
+    private final boolean state;
+    // What is asked of a hundred thousand transitions' targets should be found without looking at the drawn state.
+    private final List<String> entry;
+    private final List<String> exit;
+    private final List<String> activities;
+    private final List<String> deferred;
 
-    private final List<Link> completion = new ArrayList<>();
+    // Most vertices have nothing in most of these lists. Unlike List.of(), this empty list makes no iterators.
+
+    List<Zone> zones = Collections.emptyList();
+    /** In the order in which they are tried. */
+    List<Link> outgoing = Collections.emptyList();
+    /** Filled only for pseudostates; not needed for states. */
+    List<Link> incoming = Collections.emptyList();
+
+    private List<Link> completion = Collections.emptyList();
     /** Computed on first use, since it is rarely needed. */
     private @Nullable Map<String, List<Link>> byTrigger;
 
     /** Computed on first use. */
     private @Nullable String path;
+
+    private boolean onlySimple = true;
 
     private boolean rivals;
     private int triggers;
@@ -50,8 +60,32 @@ final class Node {
         this.index = index;
         this.zone = zone;
         this.border = border;
-        this.state = vertex instanceof ChartState drawn ? drawn : null;
+        ChartState drawn = vertex instanceof ChartState some ? some : null;
+        this.state = drawn != null;
+        this.entry = drawn == null ? List.of() : drawn.entry();
+        this.exit = drawn == null ? List.of() : drawn.exit();
+        this.activities = drawn == null ? List.of() : drawn.doActivities();
+        this.deferred = drawn == null ? List.of() : drawn.deferred();
         this.kind = vertex instanceof Pseudostate pseudostate ? pseudostate.kind() : null;
+    }
+
+    void add(Zone zone) {
+        zones = with(zone, zones);
+    }
+
+    void addOutgoing(Link link) {
+        outgoing = with(link, outgoing);
+        onlySimple &= link.simple;
+    }
+
+    void addIncoming(Link link) {
+        incoming = with(link, incoming);
+    }
+
+    private static <T> List<T> with(T another, List<T> some) {
+        List<T> all = some.isEmpty() ? new ArrayList<>() : some;
+        all.add(another);
+        return all;
     }
 
     /**
@@ -60,11 +94,14 @@ final class Node {
      * @param named the last vertex that used each trigger
      */
     void arrange(Map<String, Node> named) {
-        outgoing.sort(Comparator.comparingInt(Link::rank));
+        // Simple ones have the same rank.
+        if (!onlySimple) {
+            outgoing.sort(Comparator.comparingInt(Link::rank));
+        }
         for (Link link : outgoing) {
             if (link.arc.triggers().isEmpty()) {
                 rivals |= !completion.isEmpty();
-                completion.add(link);
+                completion = with(link, completion);
             }
             List<String> all = link.arc.triggers();
             for (int i = 0; i < all.size(); i++) {
@@ -72,6 +109,11 @@ final class Node {
                 triggers++;
             }
         }
+    }
+
+    /** Whether all its outgoing transitions are {@linkplain Link#simple simple}. */
+    boolean hasOnlySimple() {
+        return onlySimple;
     }
 
     /** Whether a trigger occurs twice on its transitions, or several of them have no trigger. */
@@ -115,7 +157,7 @@ final class Node {
     }
 
     boolean isState() {
-        return state != null;
+        return state;
     }
 
     boolean isFinal() {
@@ -140,20 +182,20 @@ final class Node {
     }
 
     List<String> entry() {
-        return state == null ? List.of() : state.entry();
+        return entry;
     }
 
     List<String> exit() {
-        return state == null ? List.of() : state.exit();
+        return exit;
     }
 
     List<String> activities() {
-        return state == null ? List.of() : state.doActivities();
+        return activities;
     }
 
     /** The events deferred while it is active. */
     List<String> deferred() {
-        return state == null ? List.of() : state.deferred();
+        return deferred;
     }
 
     /** Whether it has completion transitions. */

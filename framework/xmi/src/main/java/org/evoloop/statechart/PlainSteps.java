@@ -23,12 +23,24 @@ final class PlainSteps {
     /** Whether the transition only leaves one state and enters another. */
     static boolean isPlain(Link link) {
         Node target = link.target;
-        return target.isState()
-                && target.zone == link.source.zone
-                && target.zones.isEmpty()
-                && !target.wantsCompletion()
-                && link.arc.kind() == Arc.Kind.EXTERNAL
-                && link.arc.guard().isEmpty();
+        return link.simple && target.zones.isEmpty() && !target.wantsCompletion();
+    }
+
+    /** Whether everything that can happen in a vertex is a plain transition on one event, each on another one. */
+    static boolean areAll(Node node) {
+        if (!node.hasOnlySimple()
+                || node.hasRivals()
+                || !node.deferred().isEmpty()
+                || !node.onCompletion().isEmpty()
+                || node.triggerCount() != node.outgoing.size()) {
+            return false;
+        }
+        for (Link link : node.outgoing) {
+            if (!isPlain(link)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /**

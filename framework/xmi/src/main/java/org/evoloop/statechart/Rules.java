@@ -48,7 +48,11 @@ final class Rules {
             } else {
                 pseudostate(node);
             }
-            node.outgoing.forEach(link -> link(link, timeTriggers));
+            if (!node.hasOnlySimple() || !net.timeTriggers().isEmpty()) {
+                for (Link link : node.outgoing) {
+                    link(link, timeTriggers);
+                }
+            }
         }
         net.nodes().forEach(node -> node.zones.forEach(this::names));
         net.tops().forEach(this::names);

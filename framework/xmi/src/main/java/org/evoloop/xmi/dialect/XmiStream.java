@@ -210,7 +210,8 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
             throw refuse("nests elements deeper than " + MAX_DEPTH, EXPORT_AGAIN);
         }
         name(getPrefix(), getLocalName());
-        for (int i = 0; i < getAttributeCount(); i++) {
+        int attributes = getAttributeCount();
+        for (int i = 0; i < attributes; i++) {
             name(getAttributePrefix(i), getAttributeLocalName(i));
         }
         for (int i = 0; i < getNamespaceCount(); i++) {
@@ -223,7 +224,12 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
     }
 
     private void name(String name) {
-        if (names.add(name) && names.size() > MAX_NAMES) {
+        // Nearly every name is known, and finding it is faster than adding it again.
+        if (names.contains(name)) {
+            return;
+        }
+        names.add(name);
+        if (names.size() > MAX_NAMES) {
             throw refuse("uses more than " + MAX_NAMES + " different names of elements and attributes", EXPORT_AGAIN);
         }
     }

@@ -38,9 +38,10 @@ public final class XmlNode {
         this.namespace = text(stream.getNamespaceURI());
         this.name = stream.getLocalName();
         this.line = stream.line();
-        this.attributes = new String[2 * stream.getAttributeCount()];
+        int count = stream.getAttributeCount();
+        this.attributes = new String[2 * count];
         int characters = 0;
-        for (int i = 0; i < stream.getAttributeCount(); i++) {
+        for (int i = 0; i < count; i++) {
             attributes[2 * i] = attributeName(stream, i);
             attributes[2 * i + 1] = stream.getAttributeValue(i);
             characters += attributes[2 * i + 1].length();
@@ -183,18 +184,28 @@ public final class XmlNode {
         return "";
     }
 
+    /** The number of attributes. */
+    public int attributeCount() {
+        return attributes.length / 2;
+    }
+
+    /** The name of an attribute. */
+    public String attributeName(int index) {
+        return attributes[2 * index];
+    }
+
     /** The names of all attributes. */
     public List<String> attributeNames() {
         // A view, since callers iterate over it very often.
         return new AbstractList<>() {
             @Override
             public String get(int index) {
-                return attributes[2 * index];
+                return attributeName(index);
             }
 
             @Override
             public int size() {
-                return attributes.length / 2;
+                return attributeCount();
             }
         };
     }

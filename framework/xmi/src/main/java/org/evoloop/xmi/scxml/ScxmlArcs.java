@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -29,8 +28,6 @@ import org.jspecify.annotations.Nullable;
  * in UML. The event {@code done.state.ID} is the completion of that state.
  */
 final class ScxmlArcs {
-    private static final Set<String> ATTRIBUTES = Set.of("event", "cond", "target", "type");
-
     private final ScxmlTree tree;
     private final ScxmlEvents events;
     private final Problems problems;
@@ -185,10 +182,9 @@ final class ScxmlArcs {
     /** @param label computed only when needed, since there may be a hundred thousand transitions */
     private void read(XmlNode transition, ScxmlVertex state, Supplier<String> label) {
         // Here and below, no iterators: with a hundred thousand transitions they would be most of the garbage.
-        List<String> attributes = transition.attributeNames();
-        for (int i = 0; i < attributes.size(); i++) {
-            String attribute = attributes.get(i);
-            if (!ATTRIBUTES.contains(attribute) && attribute.indexOf(':') < 0) {
+        for (int i = 0; i < transition.attributeCount(); i++) {
+            String attribute = transition.attributeName(i);
+            if (!isKnown(attribute)) {
                 problems.add(
                         transition.line(),
                         "attribute " + attribute + " of " + label.get() + " is not supported; remove it");
@@ -200,8 +196,9 @@ final class ScxmlArcs {
             return;
         }
         String condition = transition.attribute("cond").strip();
-        if (!transition.attribute("event").isBlank()) {
-            ScxmlEvents.Matched matched = events.matched(transition);
+        String event = transition.attribute("event");
+        if (!event.isBlank()) {
+            ScxmlEvents.Matched matched = events.matched(event);
             List<ScxmlVertex> done = free(matched.done(), condition, state);
             for (ScxmlVertex inner : done) {
                 done(transition, state, inner, targets, label);
@@ -225,11 +222,21 @@ final class ScxmlArcs {
         }
     }
 
+    private static boolean isKnown(String attribute) {
+        return switch (attribute) {
+            case "event", "cond", "target", "type" -> true;
+            default -> attribute.indexOf(':') >= 0;
+        };
+    }
+
     /**
      * The causes that no earlier transition of the state always takes. If several transitions are enabled, SCXML takes
      * the first.
      */
     private <T> List<T> free(List<T> causes, String condition, ScxmlVertex state) {
+        if (causes.isEmpty()) {
+            return causes;
+        }
         boolean all = true;
         for (int i = 0; i < causes.size(); i++) {
             all &= isFree(causes.get(i), condition, state);
@@ -333,10 +340,10 @@ final class ScxmlArcs {
 
     /** SCXML has no keywords, but allows attributes of other namespaces. */
     private static boolean isSpontaneous(XmlNode transition) {
-        List<String> names = transition.attributeNames();
-        for (int i = 0; i < names.size(); i++) {
-            if (names.get(i).endsWith(":spontaneous")
-                    && transition.attribute(names.get(i)).strip().equals("true")) {
+        for (int i = 0; i < transition.attributeCount(); i++) {
+            String name = transition.attributeName(i);
+            if (name.endsWith(":spontaneous")
+                    && transition.attribute(name).strip().equals("true")) {
                 return true;
             }
         }
@@ -410,6 +417,11 @@ final class ScxmlArcs {
     }
 
     private static void add(Map<String, List<Arc>> to, String region, Arc arc) {
-        to.computeIfAbsent(region, any -> new ArrayList<>()).add(arc);
+        List<Arc> arcs = to.get(region);
+        if (arcs == null) {
+            arcs = new ArrayList<>();
+            to.put(region, arcs);
+        }
+        arcs.add(arc);
     }
 }

@@ -113,7 +113,9 @@ final class ScxmlChartReader {
     }
 
     private void vertex(ScxmlVertex vertex, List<Vertex> vertices) {
-        ScxmlVocabulary.check(vertex.node(), problems);
+        if (!vertex.isUnderstood()) {
+            ScxmlVocabulary.check(vertex.node(), problems);
+        }
         if (vertex.isHistory()) {
             vertices.add(new Pseudostate(vertex.key(), vertex.id(), vertex.place(), kind(vertex)));
         } else if (vertex.isFinal() || vertex.node().attribute("final").equals("true")) {

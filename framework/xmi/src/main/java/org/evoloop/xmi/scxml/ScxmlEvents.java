@@ -32,7 +32,7 @@ final class ScxmlEvents {
     private final ScxmlTree tree;
     private final Problems problems;
     private final NavigableSet<String> named = new TreeSet<>();
-    /** By the attribute as written; there are far fewer of these than transitions. */
+    /** By the attribute as written. */
     private final Map<String, List<String>> descriptors = new HashMap<>();
 
     private final Map<String, Matched> matched = new HashMap<>();
@@ -49,20 +49,8 @@ final class ScxmlEvents {
     ScxmlEvents(ScxmlTree tree, Problems problems) {
         this.tree = tree;
         this.problems = problems;
-        tree.document().children().forEach(this::collect);
+        tree.descriptors().forEach(attribute -> descriptors.put(attribute, split(attribute)));
         descriptors.values().forEach(this::name);
-    }
-
-    private void collect(XmlNode node) {
-        switch (node.name()) {
-            case "transition", "send", "raise" ->
-                descriptors.computeIfAbsent(node.attribute("event"), ScxmlEvents::split);
-            default -> {}
-        }
-        // Most elements have no children; this avoids an iterator for each.
-        if (!node.children().isEmpty()) {
-            node.children().forEach(this::collect);
-        }
     }
 
     /** The descriptors without a suffix {@code .*} or {@code .}, which adds nothing. */
@@ -106,9 +94,12 @@ final class ScxmlEvents {
         return state != null && state.canBeDone() ? state : null;
     }
 
-    /** The events that trigger a transition. */
-    Matched matched(XmlNode transition) {
-        String attribute = transition.attribute("event");
+    /**
+     * The events that trigger a transition.
+     *
+     * @param attribute its descriptors as written
+     */
+    Matched matched(String attribute) {
         Matched known = matched.get(attribute);
         if (known == null) {
             known = match(attribute);

@@ -2,6 +2,7 @@ package org.evoloop.xmi.scxml;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -13,13 +14,12 @@ import org.jspecify.annotations.Nullable;
 
 /** The vertices of a document, by id and as a tree. */
 final class ScxmlTree {
-    private static final Set<String> VERTICES = Set.of("state", "parallel", "final", "history");
-
     private final ScxmlDocument document;
     private final Problems problems;
     private final Map<String, ScxmlVertex> byId = new HashMap<>();
     private final List<ScxmlVertex> all = new ArrayList<>();
     private final List<ScxmlVertex> outermost = new ArrayList<>();
+    private final Set<String> descriptors = new HashSet<>();
 
     private int madeUp;
 
@@ -27,31 +27,65 @@ final class ScxmlTree {
         this.document = document;
         this.problems = problems;
         for (XmlNode child : document.children()) {
-            if (VERTICES.contains(child.name())) {
+            if (isVertex(child)) {
                 outermost.add(vertex(child, null));
+            } else {
+                collectDescriptors(child);
             }
         }
+        all.forEach(this::enter);
     }
 
-    private ScxmlVertex vertex(XmlNode node, @Nullable ScxmlVertex parent) {
-        String id = node.attribute("id").strip();
-        ScxmlVertex vertex = new ScxmlVertex(node, id, id.isEmpty() ? madeUpKey() : id, parent);
-        all.add(vertex);
+    /** Makes a vertex known by its id. */
+    private void enter(ScxmlVertex vertex) {
+        // A copy, so that all ids are close together: a hundred thousand look-ups would be slow if each key was somewhere
+        // among all that was read from the file.
+        String id = new String(vertex.node().attribute("id").strip().toCharArray());
+        vertex.name(id, id.isEmpty() ? madeUpKey() : id);
         ScxmlVertex namesake = id.isEmpty() ? null : byId.putIfAbsent(id, vertex);
         if (namesake != null) {
             problems.add(
                     vertex.line(),
-                    node.name() + " " + Problems.quote(id) + " has the id of the "
+                    vertex.node().name() + " " + Problems.quote(id) + " has the id of the "
                             + namesake.node().name() + " in line " + namesake.line() + "; give each an id of its own");
         }
+    }
+
+    private static boolean isVertex(XmlNode node) {
+        return switch (node.name()) {
+            case "state", "parallel", "final", "history" -> true;
+            default -> false;
+        };
+    }
+
+    private ScxmlVertex vertex(XmlNode node, @Nullable ScxmlVertex parent) {
+        ScxmlVertex vertex = new ScxmlVertex(node, parent);
+        all.add(vertex);
         for (XmlNode child : node.children()) {
-            if (VERTICES.contains(child.name())) {
+            if (isVertex(child)) {
                 vertex.addInner(vertex(child, vertex));
             } else {
                 vertex.add(child);
+                collectDescriptors(child);
             }
         }
         return vertex;
+    }
+
+    private void collectDescriptors(XmlNode node) {
+        switch (node.name()) {
+            case "transition", "send", "raise" -> descriptors.add(node.attribute("event"));
+            default -> {}
+        }
+        // Most elements have no children; this avoids an iterator for each.
+        if (!node.children().isEmpty()) {
+            node.children().forEach(this::collectDescriptors);
+        }
+    }
+
+    /** The different event attributes, as written; there are far fewer of these than transitions. */
+    Set<String> descriptors() {
+        return descriptors;
     }
 
     /** A new key that no id can equal. */
@@ -111,14 +145,18 @@ final class ScxmlTree {
      * @param ids separated by white space
      */
     List<ScxmlVertex> targets(String ids, int line, Supplier<String> what) {
+        // There is rarely more than one; then nothing is split.
+        ScxmlVertex only = isOneWord(ids) ? byId.get(ids) : null;
+        if (only != null) {
+            return List.of(only);
+        }
         StringTokenizer words = new StringTokenizer(ids);
-        List<ScxmlVertex> found = List.of();
+        List<ScxmlVertex> found = new ArrayList<>();
         while (words.hasMoreTokens()) {
             String id = words.nextToken();
             ScxmlVertex target = byId.get(id);
             if (target != null) {
-                // There is rarely more than one.
-                found = found.isEmpty() ? List.of(target) : joined(found, target);
+                found.add(target);
             } else {
                 problems.add(
                         line,
@@ -128,9 +166,12 @@ final class ScxmlTree {
         return found;
     }
 
-    private static List<ScxmlVertex> joined(List<ScxmlVertex> some, ScxmlVertex another) {
-        List<ScxmlVertex> all = new ArrayList<>(some);
-        all.add(another);
-        return all;
+    private static boolean isOneWord(String ids) {
+        for (int i = 0; i < ids.length(); i++) {
+            if (ids.charAt(i) <= ' ') {
+                return false;
+            }
+        }
+        return true;
     }
 }

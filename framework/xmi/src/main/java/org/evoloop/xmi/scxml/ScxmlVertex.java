@@ -1,6 +1,7 @@
 package org.evoloop.xmi.scxml;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import org.evoloop.statechart.Place;
 import org.evoloop.xmi.dialect.XmlNode;
@@ -14,31 +15,41 @@ import org.jspecify.annotations.Nullable;
  */
 final class ScxmlVertex {
     private final XmlNode node;
-    private final String id;
-    private final String key;
+    private String id = "";
+    private String key = "";
     private final @Nullable ScxmlVertex parent;
-    private final List<ScxmlVertex> inner = new ArrayList<>();
+    private final boolean understood;
     private final List<XmlNode> transitions = new ArrayList<>();
-    private final List<XmlNode> rest = new ArrayList<>();
+    // Most vertices have nothing else in them. Unlike List.of(), this empty list makes no iterators.
+    private List<ScxmlVertex> inner = Collections.emptyList();
+    private List<XmlNode> rest = Collections.emptyList();
 
-    /**
-     * @param key its id, or a generated one
-     * @param parent null in the root
-     */
-    ScxmlVertex(XmlNode node, String id, String key, @Nullable ScxmlVertex parent) {
+    /** @param parent null in the root */
+    ScxmlVertex(XmlNode node, @Nullable ScxmlVertex parent) {
         this.node = node;
-        this.id = id;
-        this.key = key;
         this.parent = parent;
+        this.understood = ScxmlVocabulary.understands(node);
+    }
+
+    /** @param ownKey its id, or a generated one */
+    void name(String ownId, String ownKey) {
+        id = ownId;
+        key = ownKey;
     }
 
     void addInner(ScxmlVertex vertex) {
+        inner = inner.isEmpty() ? new ArrayList<>() : inner;
         inner.add(vertex);
     }
 
     /** Adds a child that is not a vertex. */
     void add(XmlNode child) {
-        (child.name().equals("transition") ? transitions : rest).add(child);
+        if (child.name().equals("transition")) {
+            transitions.add(child);
+        } else {
+            rest = rest.isEmpty() ? new ArrayList<>() : rest;
+            rest.add(child);
+        }
     }
 
     /** The element. */
@@ -54,6 +65,11 @@ final class ScxmlVertex {
     /** Unique in its document. */
     String key() {
         return key;
+    }
+
+    /** Whether everything in its element is read. */
+    boolean isUnderstood() {
+        return understood;
     }
 
     int line() {

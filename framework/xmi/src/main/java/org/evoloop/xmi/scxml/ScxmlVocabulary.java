@@ -60,6 +60,31 @@ final class ScxmlVocabulary {
 
     private ScxmlVocabulary() {}
 
+    /** Whether everything in the element is read, so that {@link #check} would report nothing. */
+    static boolean understands(XmlNode node) {
+        Set<String> known = KNOWN.getOrDefault(node.name(), Set.of());
+        for (int i = 0; i < node.attributeCount(); i++) {
+            if (!isKnown(node.attributeName(i), known)) {
+                return false;
+            }
+        }
+        List<XmlNode> children = node.children();
+        for (int i = 0; i < children.size(); i++) {
+            if (!isKnown(children.get(i), node.namespace(), known)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static boolean isKnown(String attribute, Set<String> known) {
+        return known.contains(attribute) || attribute.indexOf(':') >= 0;
+    }
+
+    private static boolean isKnown(XmlNode child, String outer, Set<String> known) {
+        return (isScxml(child, outer) && known.contains(child.name())) || isEditors(child);
+    }
+
     /** Reports everything in the element that is not read. */
     static void check(XmlNode node, Problems problems) {
         check(
@@ -94,13 +119,12 @@ final class ScxmlVocabulary {
             Problems problems) {
         Set<String> known = KNOWN.getOrDefault(name, Set.of());
         for (String attribute : attributes) {
-            if (attribute.indexOf(':') < 0 && !known.contains(attribute)) {
+            if (!isKnown(attribute, known)) {
                 problems.add(line, "attribute " + attribute + " of " + label.get() + " is not supported; remove it");
             }
         }
         for (XmlNode child : children) {
-            boolean ours = isScxml(child, namespace) && known.contains(child.name());
-            if (!ours && !isEditors(child)) {
+            if (!isKnown(child, namespace, known)) {
                 problems.add(
                         child.line(),
                         "element " + child.name() + " in " + label.get() + " is not supported; remove it");

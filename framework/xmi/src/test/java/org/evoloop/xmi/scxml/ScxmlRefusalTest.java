@@ -21,6 +21,7 @@ class ScxmlRefusalTest {
                 "<state id='a'><transition event='e' target='b'/></state> | transition of state 'a' leads to 'b', which is not a state; correct the id",
                 "<state id='a'><transition evnet='e' target='a'/></state> | attribute evnet of transition of state 'a' is not supported",
                 "<state id='a' initial='c'><state id='b'/></state>        | initial leads to 'c', which is not a state",
+                "<state id='a'><transition event='e' target='b c'/></state><state id='b c'/> | transition of state 'a' leads to 'b', which is not a state",
                 "<state id='a'><initial/><state id='b'/></state>          | initial of state 'a' is not one transition; write one",
                 "<state id='a'><transition/></state>             | transition of state 'a' has no event and leads nowhere",
                 "<state id='a'><state id='b'/><transition target='b'/></state> | transition of state 'a' has no event and leads out of a composite state",
