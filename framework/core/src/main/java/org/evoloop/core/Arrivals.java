@@ -124,16 +124,12 @@ final class Arrivals {
     }
 
     private void enqueue(Occurrence occurrence, @Nullable State from, @Nullable Step own) {
-        long number = ledger.counts.observe();
-        boolean hasHappened = from != null || occurrence.isFact();
-        boolean mayBeLost = !hasHappened && occurrence.source().isButton();
-        if (mayBeLost
-                ? ledger.line.hasRoom(ledger.rules.queueCapacity(), ledger.progress.isIdle())
-                : ledger.line.hasRoomForFacts(ledger.rules)) {
-            ledger.line.add(new Pending(number, occurrence, from, own, ledger.place.steps(), 0));
+        Pending pending = new Pending(ledger.counts.observe(), occurrence, from, own, ledger.place.steps(), 0);
+        if (ledger.line.hasRoomFor(pending, ledger.rules, ledger.progress.isIdle())) {
+            ledger.line.add(pending);
             ledger.out.queued(occurrence);
         } else {
-            ledger.followOwed |= hasHappened;
+            ledger.followOwed |= pending.hasHappened();
             ledger.counts.end(Outcome.DROPPED);
             ledger.out.dropped(occurrence, ledger.line.lose());
         }

@@ -44,6 +44,11 @@ public record Pending(
         return from != null || occurrence.isFact();
     }
 
+    /** Whether it is lost when the queue is full: an event of a controller. */
+    boolean mayBeLost() {
+        return !hasHappened() && occurrence.source().isButton();
+    }
+
     /** A copy for another attempt. */
     Pending again() {
         return new Pending(number, occurrence, from, own, stepsBefore, attempts + 1, broken);
