@@ -61,8 +61,8 @@ final class StuckReport {
     private void queue(QueueStatus queue) {
         line(
                 "queue",
-                queue.depth() + " waiting, room for " + queue.capacity() + " presses; " + queue.dropped()
-                        + " lost, " + queue.refused() + " refused");
+                queue.depth() + " waiting, room for " + queue.capacity() + " presses; " + queue.dropped() + " lost, "
+                        + queue.refused() + " refused");
     }
 
     private static String seconds(long nanos) {
