@@ -4,7 +4,7 @@
  * present one, and whether a step has been sent since.
  *
  * Not modelled, since the paper's models have none: effects, guards, deferred events, composite states. A state has one timer
- * at most. The world (world.pml) never fills the 1,024 places for facts beyond the queue's capacity.
+ * at most. The world (world.pml) never fills the places for facts, 1,024 more than the queue's capacity.
  */
 
 #define NONE 0
@@ -50,6 +50,7 @@
 #define AGAIN 4
 #define SENT 5
 #define STUCK 6
+#define CROWDED_OUT 7
 
 typedef Pending {
   byte id;
@@ -139,6 +140,7 @@ hidden int code;
 
 #define DECISION(table, device, system, event) table[IX(pair, device, system, event)]
 #define HAS_HAPPENED(one) (one.from != NONE || one.acted || one.kind == FOUND || one.kind == EVOLVED || one.kind == IN_DOUBT)
+#define MAY_BE_LOST(one) (!HAS_HAPPENED(one) && one.source == BUTTON)
 #define NEXT_STEP STEP(plan, taken)
 
 /* Rules.decide: stores the decision on the occurrence in progress in `code`, and the state where planning begins in `at_state`. */
@@ -240,14 +242,28 @@ inline make(kind_, what_, source_, visit_, acted_) {
 
 inline ended() { ended_count++ }
 
-/* Arrivals.enqueue */
+#ifdef FACTS_TAKE_UP_CONTROLLERS_PLACES
+#define PLACES_TAKEN waiting
+#else
+#define PLACES_TAKEN j
+#endif
+
+/* Arrivals.enqueue: `j` is the number of controllers' events that wait. */
 inline enqueue(from_, own_) {
   give_number();
   next_one.id = number;
   next_one.from = from_;
   next_one.own = own_;
+  i = 0;
+  j = 0;
+  do
+  :: i < waiting -> j = j + MAY_BE_LOST(line[i]); i++
+  :: else -> break
+  od;
   if
-  :: !HAS_HAPPENED(next_one) && next_one.source == BUTTON && !(waiting < CAPACITY || (!busy && waiting < 1)) -> ended()
+  :: MAY_BE_LOST(next_one) && !(PLACES_TAKEN < CAPACITY || (!busy && PLACES_TAKEN < 1)) ->
+    must(CROWDED_OUT, j >= CAPACITY);
+    ended()
   :: else -> append()
   fi
 }

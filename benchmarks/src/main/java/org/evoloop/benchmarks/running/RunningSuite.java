@@ -50,6 +50,16 @@ public final class RunningSuite implements Suite {
                         page.get("VIEWERS p50"),
                         Row.Goal.atMostTimes(1.25, "without a page", page.get("NONE p50")),
                         Map.of("p99", page.get("VIEWERS p99"), "p99 without", page.get("NONE p99"))),
+                new Row(
+                        "the same without pauses",
+                        "us",
+                        page.get("FAST VIEWERS p50"),
+                        Row.Goal.atMostTimes(2, "without a page", page.get("FAST NONE p50")),
+                        Map.of(
+                                "with a listener only",
+                                page.get("FAST LISTENER p50"),
+                                "events it missed",
+                                page.get("FAST LISTENER missed"))),
                 pause("the pause when other models of 10,000 states take over, 99th percentile", "PLAIN", evolve),
                 pause("the same with a journal", "JOURNAL", evolve),
                 new Row("flood of 4 monitors, in steps", "events/s", found.get("flood step"), Row.Goal.least(1e6)),

@@ -27,7 +27,7 @@ final class Deadlines {
         if (deadlines.isEmpty()
                 || !snapshot.open()
                 || snapshot.visit().over()
-                || snapshot.waiting().size() >= rules.mostWaiting()) {
+                || !rules.hasRoomForTimer(snapshot.waiting())) {
             return null;
         }
         Set<Event> waiting = waiting(snapshot);

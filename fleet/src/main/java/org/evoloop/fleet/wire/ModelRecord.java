@@ -29,7 +29,7 @@ import org.evoloop.xmi.XmiFile;
  * @param original the name of the device's state machine in it
  * @param evolved the name of the wanted state machine in it
  * @param timers the timers of states, in addition to those in the diagrams
- * @param queueCapacity how many events may wait
+ * @param queueCapacity how many events of controllers may wait
  * @since 0.1
  */
 public record ModelRecord(

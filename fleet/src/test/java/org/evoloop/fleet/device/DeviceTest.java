@@ -110,7 +110,7 @@ class DeviceTest implements DeviceListener {
     @Test
     void aTimerWaitsUntilTheQueueHasRoomForIt() {
         waiting();
-        int most = lamp.rules().mostWaiting();
+        int most = lamp.rules().mostFacts();
         for (int asked = 0; asked <= most; asked++) {
             device.observed(new Occurrence.Asked(new Event("switch"), Values.NONE, 0, 5 * SECOND));
         }

@@ -63,9 +63,10 @@ final class StatusText {
         line(
                 out,
                 "queue",
-                status.queue().depth() + " of " + status.queue().capacity()
-                        + " waiting, highest " + status.queue().highest()
-                        + "; " + status.queue().dropped() + " dropped, "
+                status.queue().depth() + " waiting, highest "
+                        + status.queue().highest() + ", room for "
+                        + status.queue().capacity() + " presses; "
+                        + status.queue().dropped() + " dropped, "
                         + status.queue().refused() + " refused");
         line(
                 out,

@@ -81,7 +81,7 @@ class StatusFormatTest {
                 .startsWith("converter   robot, running", "states      original On, new Move")
                 .containsSubsequence(
                         "function    thread function-Move-7",
-                        "queue       2 of 8 waiting, highest 5; 1 dropped, 3 refused",
+                        "queue       2 waiting, highest 5, room for 8 presses; 1 dropped, 3 refused",
                         "events      30 handled, 4 ignored, 2 stale, 1 failed",
                         "conversion  last 180 us, median 999 us, 99th percentile 12.3 ms",
                         "monitor     Panel   waiting  mapek-robot-monitor-Panel")

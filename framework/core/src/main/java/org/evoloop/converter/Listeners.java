@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Occurrence;
@@ -24,6 +25,13 @@ import org.slf4j.LoggerFactory;
 final class Listeners {
     private static final Logger LOG = LoggerFactory.getLogger(SystemEventConverter.class);
     private static final int MOST_WAITING = 1024;
+
+    /**
+     * How long the thread dozes before it waits for a call: so long it need not be woken, which can take the loop longer
+     * than a conversion. Short enough that the calls of a flood find room meanwhile.
+     */
+    private static final long DOZE_NANOS = 250_000;
+
     private static final long NOT_CONVERTED = -1;
 
     private final LoopConfig config;
@@ -68,6 +76,9 @@ final class Listeners {
     private void run() {
         try {
             while (!closed && thread == Thread.currentThread()) {
+                if (waiting.isEmpty()) {
+                    LockSupport.parkNanos(this, DOZE_NANOS);
+                }
                 call(waiting.take());
                 losing = false;
             }

@@ -125,15 +125,12 @@ final class Arrivals {
 
     private void enqueue(Occurrence occurrence, @Nullable State from, @Nullable Step own) {
         long number = ledger.counts.observe();
-        boolean hasHappened = from != null || occurrence.isFact();
-        boolean mayBeLost = !hasHappened && occurrence.source().isButton();
-        if (mayBeLost
-                ? ledger.line.hasRoom(ledger.rules.queueCapacity(), ledger.progress.isIdle())
-                : ledger.line.hasRoomForFacts(ledger.rules)) {
+        boolean mayBeLost = Pending.mayBeLost(occurrence, from);
+        if (ledger.line.hasRoom(mayBeLost, ledger.rules, ledger.progress.isIdle())) {
             ledger.line.add(new Pending(number, occurrence, from, own, ledger.place.steps(), 0));
             ledger.out.queued(occurrence);
         } else {
-            ledger.followOwed |= hasHappened;
+            ledger.followOwed |= Pending.hasHappened(occurrence, from);
             ledger.counts.end(Outcome.DROPPED);
             ledger.out.dropped(occurrence, ledger.line.lose());
         }

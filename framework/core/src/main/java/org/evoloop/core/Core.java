@@ -258,9 +258,9 @@ public final class Core implements Inputs {
         return !ledger.progress.isIdle();
     }
 
-    /** Whether one more event of a controller would be taken. */
+    /** Whether a function may raise one more event without waiting. Controllers' events do not matter for that. */
     public boolean hasRoom() {
-        return ledger.line.hasRoom(ledger.rules.queueCapacity(), ledger.progress.isIdle());
+        return ledger.line.hasRoomForFunctions(ledger.rules, ledger.progress.isIdle());
     }
 
     /** Whether an occurrence is ready to begin when nothing is in progress. */

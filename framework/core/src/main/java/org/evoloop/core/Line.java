@@ -12,42 +12,72 @@ import org.jspecify.annotations.Nullable;
 /**
  * The queue of occurrences, first come first served, and their counts.
  *
- * <p>Events of controllers are lost when the queue is full. Facts, and events that a timer or a function raises, are
- * lost only when {@value #MOST_FACTS} more wait.
+ * <p>Only events of controllers take up its capacity; when it is used up, further ones are lost. Facts, and events that
+ * a timer or a function raises, have places of their own, {@value #MOST_FACTS} more.
  */
 final class Line {
-    /** How many more than the capacity may wait if they must not be lost. */
+    /** How many more than the capacity may wait if they must not be lost for want of it. */
     static final int MOST_FACTS = 1024;
 
     private final ArrayDeque<Pending> waiting = new ArrayDeque<>();
     private final Counts counts;
 
+    /** How many of those that wait may be lost. */
+    private int losable;
+
     /** Whether anything has been lost since there was last room. */
     private boolean losing;
 
     Line(Collection<Pending> waiting, Counts counts, boolean losing) {
-        this.waiting.addAll(waiting);
+        waiting.forEach(pending -> {
+            this.waiting.add(pending);
+            countIn(pending);
+        });
         this.counts = counts;
         this.losing = losing;
     }
 
-    /** Whether one more event of a controller may wait; if nothing is in progress it need not wait at all. */
-    boolean hasRoom(int capacity, boolean idle) {
-        return waiting.size() < Math.max(capacity, idle ? 1 : 0);
+    private void countIn(Pending pending) {
+        if (pending.mayBeLost()) {
+            losable++;
+        }
     }
 
-    boolean hasRoomForFacts(Rules rules) {
-        return waiting.size() < rules.mostWaiting();
+    private void countOut(Pending pending) {
+        if (pending.mayBeLost()) {
+            losable--;
+        }
+    }
+
+    /** Whether one more may wait, which may be lost or not. */
+    boolean hasRoom(boolean mayBeLost, Rules rules, boolean idle) {
+        return mayBeLost ? losable < places(rules, idle) : others() < rules.mostFacts();
+    }
+
+    /** Whether a function need not wait with its next event. It must not use up the places of facts. */
+    boolean hasRoomForFunctions(Rules rules, boolean idle) {
+        return others() < places(rules, idle);
+    }
+
+    private int others() {
+        return waiting.size() - losable;
+    }
+
+    /** If nothing is in progress, the next occurrence need not wait, whatever the capacity. */
+    private static int places(Rules rules, boolean idle) {
+        return Math.max(rules.queueCapacity(), idle ? 1 : 0);
     }
 
     void add(Pending pending) {
         waiting.add(pending);
+        countIn(pending);
         losing = false;
         counts.queued(waiting.size());
     }
 
     void addFirst(Pending pending) {
         waiting.addFirst(pending);
+        countIn(pending);
         counts.highest(waiting.size());
     }
 
@@ -62,12 +92,15 @@ final class Line {
     @Nullable
     Pending next(Predicate<Pending> deferred) {
         Pending first = waiting.peek();
-        if (first == null || !deferred.test(first)) {
-            return waiting.poll();
+        if (first != null && !deferred.test(first)) {
+            waiting.remove();
+            countOut(first);
+            return first;
         }
         for (Pending pending : waiting) {
             if (!deferred.test(pending)) {
                 waiting.remove(pending);
+                countOut(pending);
                 return pending;
             }
         }
@@ -78,6 +111,7 @@ final class Line {
     List<Pending> withoutFacts() {
         List<Pending> refused = new ArrayList<>();
         waiting.removeIf(pending -> !pending.hasHappened() && refused.add(pending));
+        losable = 0;
         return refused;
     }
 
@@ -97,10 +131,12 @@ final class Line {
     void replace(Function<Pending, @Nullable Pending> another) {
         List<Pending> all = waiting();
         waiting.clear();
+        losable = 0;
         for (Pending pending : all) {
             Pending next = another.apply(pending);
             if (next != null) {
                 waiting.add(next);
+                countIn(next);
             }
         }
     }

@@ -1,5 +1,6 @@
 package org.evoloop.core;
 
+import java.util.List;
 import java.util.function.Predicate;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
@@ -15,7 +16,7 @@ import org.evoloop.statemachine.State;
  * <p>Threading: immutable; {@code timers} must be a pure function.
  *
  * @param timers the timers of each state
- * @param queueCapacity how many events may wait behind the one in progress
+ * @param queueCapacity how many events of controllers may wait behind the one in progress
  * @since 0.1
  */
 public record Rules(DecisionTable table, Timers timers, int queueCapacity) {
@@ -61,9 +62,15 @@ public record Rules(DecisionTable table, Timers timers, int queueCapacity) {
         return known.startsIn(at) ? known : table.react(at, table.resolve(at, event, holds), pending.own(), byItself);
     }
 
-    /** How many events at most may wait, if they are facts, or were raised by timers or functions. */
-    public int mostWaiting() {
+    /** How many facts, and events raised by timers or functions, may wait besides controllers' events. */
+    public int mostFacts() {
         return queueCapacity + Line.MOST_FACTS;
+    }
+
+    /** Whether the event of a timer may wait behind these. */
+    public boolean hasRoomForTimer(List<Pending> waiting) {
+        return waiting.size() < mostFacts()
+                || waiting.stream().filter(pending -> !pending.mayBeLost()).count() < mostFacts();
     }
 
     /** A copy with other decisions. */

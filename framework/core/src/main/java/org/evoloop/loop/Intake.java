@@ -35,7 +35,7 @@ public interface Intake<O> {
     /** Takes or refuses an occurrence. */
     Admission offer(O occurrence);
 
-    /** Whether one more occurrence would be taken. */
+    /** Whether there is room for an occurrence whose source waits for it, see {@link MapeLoop#put}. */
     boolean hasRoom();
 
     /** The occurrence that has its turn now; null if none has. */

@@ -61,7 +61,7 @@ public final class LoopConfig {
                 ThreadingModel.SINGLE_CARRIER);
     }
 
-    /** A copy with room for {@code capacity} waiting occurrences. */
+    /** A copy with room for {@code capacity} waiting occurrences, see {@link #queueCapacity}. */
     public LoopConfig withQueueCapacity(int capacity) {
         return new LoopConfig(name, clock, capacity, stepLimit, joinLimit, waiting, threading);
     }
@@ -129,8 +129,8 @@ public final class LoopConfig {
     }
 
     /**
-     * How many occurrences may wait behind the one in the loop, 0 to 1,000,000; with 0, an occurrence that comes while
-     * the loop is busy is lost.
+     * How many occurrences that may be lost may wait behind the one in the loop, 0 to 1,000,000; with 0, one that comes
+     * while the loop is busy is lost. A converter loses only controllers' events; others do not take up this room.
      */
     public int queueCapacity() {
         return queueCapacity;

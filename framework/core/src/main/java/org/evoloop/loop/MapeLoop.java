@@ -329,7 +329,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     }
 
     /**
-     * Queues an occurrence that must not be lost: waits while the queue is full.
+     * Queues an occurrence that must not be lost: waits while the queue has no room for it.
      *
      * @return false if the loop is closed, or closes meanwhile
      */

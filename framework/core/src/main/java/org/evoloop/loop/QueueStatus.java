@@ -5,8 +5,8 @@ package org.evoloop.loop;
  *
  * <p>Threading: immutable; a snapshot of one moment.
  *
- * @param depth how many occurrences wait
- * @param capacity how many may wait
+ * @param depth how many occurrences wait in all
+ * @param capacity how many may wait of those that may be lost; in a converter, of controllers' events
  * @param highest the most that have ever waited at once
  * @param taken how many have been queued
  * @param dropped how many were lost because the queue was full

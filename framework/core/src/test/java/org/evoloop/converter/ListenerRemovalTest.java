@@ -70,6 +70,18 @@ class ListenerRemovalTest {
     }
 
     @Test
+    void whatEndedBeforeTheConverterIsClosedIsHeard() {
+        build();
+        Heard heard = new Heard();
+        converter.addListener(heard);
+        for (int presses = 0; presses < 20; presses++) {
+            wallSwitch.press("switch");
+        }
+        converter.close();
+        assertThat(heard.entries).isNotEmpty().isEqualTo(converter.history());
+    }
+
+    @Test
     void anEntrySaysWhatTheEventMeantAndHowLongItTook() throws Exception {
         build();
         Heard heard = new Heard();

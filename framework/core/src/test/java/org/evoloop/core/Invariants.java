@@ -36,7 +36,8 @@ final class Invariants {
                         invariants.stepsAreSentOnce(),
                         invariants.nothingIsStuck(),
                         invariants.nothingIsDoneAgain(),
-                        invariants.factsAreKept())
+                        invariants.factsAreKept(),
+                        invariants.controllersHaveTheirPlaces())
                 .stream()
                 .filter(problem -> !problem.isEmpty())
                 .findFirst()
@@ -186,6 +187,25 @@ final class Invariants {
             }
         }
         return "";
+    }
+
+    /** A controller's event is lost exactly if as many wait as there is room for, whatever else waits. */
+    private String controllersHaveTheirPlaces() {
+        int capacity = world.rules().queueCapacity();
+        int places = Math.max(capacity, before.work() == null ? 1 : 0);
+        boolean room = before.waiting().stream().filter(Pending::mayBeLost).count() < places;
+        for (Output output : said) {
+            boolean lost = output instanceof Output.Dropped && room;
+            boolean crowds = output instanceof Output.Queued queued && !room && isControllers(queued.occurrence());
+            if (lost || crowds) {
+                return "room: " + output + ", while there wait " + before.waiting();
+            }
+        }
+        return "";
+    }
+
+    private boolean isControllers(Occurrence occurrence) {
+        return occurrence.source().isButton() && !isFact(occurrence);
     }
 
     private boolean isFact(Occurrence occurrence) {

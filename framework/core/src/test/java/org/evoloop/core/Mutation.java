@@ -7,6 +7,7 @@ import java.util.function.Predicate;
 import org.evoloop.core.Scene.Act;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Step;
 
 /**
@@ -217,6 +218,26 @@ enum Mutation {
             return input instanceof Input.Recovered && work != null
                     ? Snapshots.work(after, new Work(work.pending(), null, 0, 0, "", Work.Stage.READY, List.of()))
                     : after;
+        }
+    },
+    FACTS_TAKE_UP_CONTROLLERS_PLACES("room", Scene.robot().with(1, Act.PRESS).with(2, Act.OWN)) {
+        private boolean isCrowdedOut(Snapshot before, Input input) {
+            return input instanceof Input.Observed observed
+                    && observed.occurrence().source() == Source.CONTROLLER
+                    && before.open()
+                    && before.waiting().size() >= scene.rules().queueCapacity();
+        }
+
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return isCrowdedOut(before, input) ? Snapshots.lost(before) : after;
+        }
+
+        @Override
+        List<Output> unsay(Snapshot before, Input input, List<Output> said) {
+            return isCrowdedOut(before, input)
+                    ? List.of(new Output.Dropped(((Input.Observed) input).occurrence(), true))
+                    : said;
         }
     },
     WHAT_ENDS_IS_NOT_COUNTED("sum", Scene.bulb().with(1, Act.PRESS)) {

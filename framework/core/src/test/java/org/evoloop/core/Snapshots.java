@@ -35,6 +35,23 @@ final class Snapshots {
         return made(of, of.at(), of.doubt(), of.visit(), of.waiting(), of.work(), tally);
     }
 
+    /** As if one more occurrence had been observed, and lost. */
+    static Snapshot lost(Snapshot of) {
+        Tally tally = of.tally();
+        return tally(
+                of,
+                new Tally(
+                        tally.observed() + 1,
+                        tally.handled(),
+                        tally.ignored(),
+                        tally.stale(),
+                        tally.failed(),
+                        tally.dropped() + 1,
+                        tally.refused(),
+                        tally.queued(),
+                        tally.highest()));
+    }
+
     /** The step to be sent next, or being sent; null if none is left. */
     static @Nullable Step nextStep(Work work) {
         Decision decision = work.decision();

@@ -92,7 +92,7 @@ public final class ConverterMetrics implements MeterBinder {
         gauge(
                 registry,
                 "evoloop.queue.capacity",
-                "How many may wait",
+                "How many events of controllers may wait",
                 status -> status.queue().capacity());
         gauge(
                 registry,

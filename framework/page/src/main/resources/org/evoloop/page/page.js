@@ -178,7 +178,7 @@ function showStatus() {
   const violated = events.findLast(isViolation);
   list($('status'), [
     ['Loop', status.loop, status.loop === 'running' ? 'good' : ''],
-    ['Queue', `${queue.depth} of ${queue.capacity} waiting, highest ${queue.highest}`],
+    ['Queue', `${queue.depth} waiting, highest ${queue.highest}, room for ${queue.capacity} presses`],
     ['Lost', `${queue.dropped} dropped, ${queue.refused} refused`, queue.dropped ? 'bad' : ''],
     ['Events', `${counts.handled} handled, ${counts.ignored} ignored, ${counts.stale} stale, ${counts.failed} failed`],
     ['Violated', violated ? `${violated.event.slice('violation of '.length)}, ${new Date(violated.at).toLocaleString()}` : '', 'bad'],

@@ -61,7 +61,7 @@ final class StuckReport {
     private void queue(QueueStatus queue) {
         line(
                 "queue",
-                queue.depth() + " waiting, room for " + queue.capacity() + "; " + queue.dropped() + " lost, "
+                queue.depth() + " waiting, room for " + queue.capacity() + " presses; " + queue.dropped() + " lost, "
                         + queue.refused() + " refused");
     }
 

@@ -59,7 +59,7 @@ class ConverterHarnessTest {
                         "the system never came to wait: nothing more is due",
                         "states: device on, system incandescentOn",
                         "truth: device on, received [switch]",
-                        "queue: 0 waiting, room for 8; 0 lost, 0 refused",
+                        "queue: 0 waiting, room for 8 presses; 0 lost, 0 refused",
                         "time: 0.000 s of the clock; nothing is due",
                         "switch (controller): HANDLED, device on, system wait -> device on, system incandescentOn",
                         "transcript, last 14 of",
