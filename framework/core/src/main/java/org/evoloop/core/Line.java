@@ -2,7 +2,6 @@ package org.evoloop.core;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.List;
 import java.util.function.Function;
 import java.util.function.Predicate;
@@ -25,10 +24,15 @@ final class Line {
     /** Whether anything has been lost since there was last room. */
     private boolean losing;
 
-    Line(Collection<Pending> waiting, Counts counts, boolean losing) {
-        this.waiting.addAll(waiting);
+    Line(Snapshot snapshot, Counts counts) {
         this.counts = counts;
-        this.losing = losing;
+        restore(snapshot);
+    }
+
+    void restore(Snapshot snapshot) {
+        waiting.clear();
+        waiting.addAll(snapshot.waiting());
+        losing = snapshot.losing();
     }
 
     /** Whether one more event of a controller may wait; if nothing is in progress it need not wait at all. */
