@@ -32,6 +32,7 @@ public final class DeviceStateBytes {
 
     /** Enough for most snapshots, together with what the rest leaves. */
     private static final int SNAPSHOT = 64;
+
     private static final Order.Kind[] KINDS = {Order.Kind.SEND, Order.Kind.RUN, Order.Kind.LOCATE};
 
     private DeviceStateBytes() {}

@@ -16,8 +16,7 @@ import tools.jackson.databind.json.JsonMapper;
 
 /** Compared with Jackson. */
 class JsonReaderTest {
-    private static final String RECORD =
-            """
+    private static final String RECORD = """
             { "a":"text","b\\t":"\\u00e9\\\\\\"\\/\\n\u20ac\\ud83d\\ude00", "n":[0,-0,-12.5e-3,1E+2,123456789012345678,
              9223372036854775807,-9223372036854775808,9223372036854775808,0.5],
             "in":{"t":true,"f":false,"none":null,"empty":{},"list":[ ]}, "a":"last" }""";
@@ -106,7 +105,11 @@ class JsonReaderTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", " ", "1 2", "\"a", "\"\\", "\"\\u12", "tru", "nul", "-", "1.", "1e", "{\"a\"", "[1", "\u0000", "1\u0000"})
+    @ValueSource(
+            strings = {
+                "", " ", "1 2", "\"a", "\"\\", "\"\\u12", "tru", "nul", "-", "1.", "1e", "{\"a\"", "[1", "\u0000",
+                "1\u0000"
+            })
     void whatDoesNotEndOrIsNoValueIsRefused(String text) {
         assertThatThrownBy(() -> JsonReader.read(text.getBytes(StandardCharsets.UTF_8)))
                 .isInstanceOf(Refusal.class);
