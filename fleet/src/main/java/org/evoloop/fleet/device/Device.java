@@ -1,8 +1,5 @@
 package org.evoloop.fleet.device;
 
-import java.util.ArrayDeque;
-import java.util.Deque;
-import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Predicate;
@@ -12,11 +9,14 @@ import org.evoloop.core.Outputs;
 import org.evoloop.core.Pending;
 import org.evoloop.core.Rules;
 import org.evoloop.core.Snapshot;
+import org.evoloop.core.Work;
+import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -38,7 +38,6 @@ public final class Device {
     private final DeviceListener listener;
     private final long patienceNanos;
     private final Core core;
-    private final Deque<Output.Directive> toDo = new ArrayDeque<>();
     private String model;
     private long sequence;
     private long heard;
@@ -46,6 +45,10 @@ public final class Device {
     private Order.@Nullable Open lost;
     private @Nullable Pending begun;
     private boolean decided;
+
+    /** What the core wants done next; null if nothing. */
+    private Output.@Nullable Directive next;
+
     private DeviceState state;
 
     /** A new device of the fleet, at the time {@code atNanos}, in the initial states of its models. */
@@ -68,16 +71,29 @@ public final class Device {
     public Device(Model model, DeviceState state, long patienceNanos, DeviceListener listener) {
         this.listener = listener;
         this.patienceNanos = patienceNanos;
-        this.model = state.model();
-        this.sequence = state.sequence();
-        this.heard = state.heard();
-        this.open = state.open();
-        this.lost = state.lost();
         this.core = new Core(model.rules(), state.snapshot(), new CoreOutputs());
-        this.begun =
-                state.snapshot().work() == null ? null : state.snapshot().work().pending();
-        this.decided = begun != null;
+        this.model = state.model();
         this.state = state;
+        restore(state);
+    }
+
+    /** Becomes another device, as {@link #Device(Model, DeviceState, long, DeviceListener)} would make it. */
+    public void become(Model otherModel, DeviceState otherState) {
+        core.restore(otherModel.rules(), otherState.snapshot());
+        restore(otherState);
+    }
+
+    private void restore(DeviceState from) {
+        Work work = from.snapshot().work();
+        model = from.model();
+        sequence = from.sequence();
+        heard = from.heard();
+        open = from.open();
+        lost = from.lost();
+        begun = work == null ? null : work.pending();
+        decided = begun != null;
+        next = null;
+        state = from;
     }
 
     /** Its current state. */
@@ -239,14 +255,12 @@ public final class Device {
             if (pending != null && core.isBusy()) {
                 proceed(pending);
             } else if (core.hasNext()) {
-                toDo.clear();
                 begun = null;
                 core.ready();
                 if (begun == null) {
                     return;
                 }
             } else {
-                toDo.clear();
                 return;
             }
         }
@@ -260,17 +274,18 @@ public final class Device {
             core.planned(pending.number(), decision, core.nowNanos());
             return;
         }
-        Output.Directive next = toDo.poll();
-        if (next == null) {
-            throw new IllegalStateException(
-                    "the core waits for something while " + pending.occurrence() + " is in progress");
-        } else if (next instanceof Output.Send send) {
+        Output.Directive directive = next;
+        next = null;
+        if (directive instanceof Output.Send send) {
             send(pending, send.step(), holds);
-        } else if (next instanceof Output.Run run) {
+        } else if (directive instanceof Output.Run run) {
             core.running(pending.number());
             order(pending, Order.Kind.RUN, run.effect(), core.at().original());
-        } else if (next instanceof Output.Locate) {
+        } else if (directive instanceof Output.Locate) {
             order(pending, Order.Kind.LOCATE, "", core.at().original());
+        } else {
+            throw new IllegalStateException(
+                    "the core waits for something while " + pending.occurrence() + " is in progress");
         }
     }
 
@@ -306,21 +321,55 @@ public final class Device {
     }
 
     private static Set<String> holding(Occurrence occurrence) {
-        return occurrence instanceof Occurrence.Heard heard ? new HashSet<>(heard.holding()) : Set.of();
+        return occurrence instanceof Occurrence.Heard heard ? heard.holding() : Set.of();
     }
 
-    /** Receives the outputs of the core. */
+    /** Receives the outputs of the core; what runs during a visit, and what is only logged, has no place in a fleet. */
     private final class CoreOutputs implements Outputs {
         @Override
+        public void begin(Pending pending) {
+            begun = pending;
+            decided = false;
+            next = null;
+        }
+
+        @Override
         public void say(Output output) {
-            if (output instanceof Output.Begin begin) {
-                begun = begin.pending();
-                decided = false;
-            } else if (output instanceof Output.Directive directive) {
-                toDo.add(directive);
+            if (output instanceof Output.Directive directive) {
+                next = directive;
             } else if (output instanceof Output.Notice notice) {
                 listener.noted(notice);
             }
         }
+
+        @Override
+        public void leave() {}
+
+        @Override
+        public void enter(long visit, State state, @Nullable Transition by, Map<Event, Long> deadlines) {}
+
+        @Override
+        public void carryOver(long visit, State state, Map<Event, Long> deadlines) {}
+
+        @Override
+        public void settle(Configuration now) {}
+
+        @Override
+        public void start(long visit, boolean again) {}
+
+        @Override
+        public void queued(Occurrence occurrence) {}
+
+        @Override
+        public void decided(Pending pending, Decision decision, long waitedNanos) {}
+
+        @Override
+        public void overtaken(Occurrence occurrence, String why) {}
+
+        @Override
+        public void took(Step step) {}
+
+        @Override
+        public void moved(Configuration before, Configuration after) {}
     }
 }

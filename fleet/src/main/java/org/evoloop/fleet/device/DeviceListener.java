@@ -11,7 +11,7 @@ public interface DeviceListener {
     /** An order to be carried out at the device. */
     void ordered(Order order);
 
-    /** A notice about an occurrence, the record or the models. */
+    /** How an occurrence ended, whether the record is in doubt, or that other models have taken over. */
     void noted(Output.Notice notice);
 
     /**

@@ -29,6 +29,10 @@ public final class DeviceStateBytes {
     private static final int NUMBER = 10;
 
     private static final int MOST = 1 + 11 * NUMBER;
+
+    /** Enough for most snapshots, together with what the rest leaves. */
+    private static final int SNAPSHOT = 64;
+
     private static final Order.Kind[] KINDS = {Order.Kind.SEND, Order.Kind.RUN, Order.Kind.LOCATE};
 
     private DeviceStateBytes() {}
@@ -36,8 +40,7 @@ public final class DeviceStateBytes {
     /** The bytes of {@code state}. */
     public static byte[] write(DeviceState state) {
         byte[] model = state.model().getBytes(StandardCharsets.UTF_8);
-        byte[] snapshot = SnapshotBytes.write(state.snapshot());
-        ByteBuffer bytes = ByteBuffer.allocate(MOST + model.length + snapshot.length);
+        ByteBuffer bytes = ByteBuffer.allocate(MOST + model.length + SNAPSHOT);
         bytes.put(VERSION);
         put(bytes, model.length);
         bytes.put(model);
@@ -45,10 +48,7 @@ public final class DeviceStateBytes {
         put(bytes, state.heard());
         put(bytes, state.open());
         put(bytes, state.lost());
-        bytes.put(snapshot);
-        byte[] all = new byte[bytes.flip().remaining()];
-        bytes.get(all);
-        return all;
+        return SnapshotBytes.write(bytes.array(), bytes.position(), state.snapshot());
     }
 
     private static void put(ByteBuffer bytes, Order.@Nullable Open order) {

@@ -45,6 +45,9 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
     private Agenda agenda;
     private Rollouts rollouts;
 
+    /** Becomes the device of each record in turn; null until the first. */
+    private @Nullable Device device;
+
     /** Whether idle devices are being visited for a rollout, and the next of them; null for the first. */
     private boolean sweeping;
 
@@ -158,7 +161,15 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
 
     private Device device(DeviceState state) {
         letters.begin(state.model(), state);
-        return new Device(library.model(state.model()), state, patienceNanos, letters);
+        Model model = library.model(state.model());
+        Device known = device;
+        if (known == null) {
+            known = new Device(model, state, patienceNanos, letters);
+            device = known;
+        } else {
+            known.become(model, state);
+        }
+        return known;
     }
 
     // Results

@@ -33,6 +33,7 @@ final class Devices {
     private static final class Recent {
         private static final int PLACES = 1 << 11;
 
+        private final int[] hashes = new int[PLACES];
         private final @Nullable String[] ids = new String[PLACES];
         private final @Nullable DeviceState[] states = new DeviceState[PLACES];
 
@@ -44,11 +45,12 @@ final class Devices {
         @Nullable
         DeviceState get(String id) {
             int place = place(id);
-            return id.equals(ids[place]) ? states[place] : null;
+            return hashes[place] == id.hashCode() && id.equals(ids[place]) ? states[place] : null;
         }
 
         void put(String id, @Nullable DeviceState state) {
             int place = place(id);
+            hashes[place] = id.hashCode();
             ids[place] = id;
             states[place] = state;
         }

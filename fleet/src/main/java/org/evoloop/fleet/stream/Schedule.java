@@ -7,8 +7,8 @@ import org.evoloop.fleet.device.Device;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which device has something due next, and when. Most entries are cancelled before they are due: they are only marked, and
- * removed from the queue when their time has come, or when most of the queue is cancelled.
+ * Which device has something due next, and when. Most of what is due is called off or put off before its time. So a device
+ * stays where it is in the queue until the time for which it was queued has come, unless something is due earlier.
  */
 final class Schedule {
     private static final int FEW = 1_000;
@@ -16,56 +16,81 @@ final class Schedule {
     private final Map<String, Due> byDevice = new HashMap<>();
     private final PriorityQueue<Due> inOrder = new PriorityQueue<>(FEW, Schedule::inOrder);
 
-    private static final class Due {
-        private final long atNanos;
-        private final String device;
-        private boolean cancelled;
+    /** How many in the queue are called off. */
+    private int calledOff;
 
-        Due(long atNanos, String device) {
-            this.atNanos = atNanos;
+    private static final class Due {
+        private final String device;
+        private long queuedNanos;
+
+        /** Not before it is queued; {@link Device#NEVER} if it is called off. */
+        private long atNanos;
+
+        Due(String device, long atNanos) {
             this.device = device;
+            this.queuedNanos = atNanos;
+            this.atNanos = atNanos;
+        }
+
+        boolean isCalledOff() {
+            return atNanos == Device.NEVER;
+        }
+
+        boolean isPutOff() {
+            return atNanos > queuedNanos && !isCalledOff();
         }
     }
 
     private static int inOrder(Due one, Due other) {
-        int byTime = Long.compare(one.atNanos, other.atNanos);
+        int byTime = Long.compare(one.queuedNanos, other.queuedNanos);
         return byTime != 0 ? byTime : one.device.compareTo(other.device);
     }
 
     /** @param atNanos {@link Device#NEVER} if nothing is due there */
     void set(String device, long atNanos) {
-        if (atNanos == Device.NEVER) {
-            cancel(byDevice.remove(device));
-        } else {
-            Due due = new Due(atNanos, device);
-            cancel(byDevice.put(device, due));
-            inOrder.add(due);
+        Due due = byDevice.get(device);
+        boolean stays = due != null && due.queuedNanos <= atNanos;
+        if (due != null) {
+            change(due, stays ? atNanos : Device.NEVER);
         }
-        if (inOrder.size() > FEW + 2 * byDevice.size()) {
-            inOrder.removeIf(due -> due.cancelled);
+        if (!stays && atNanos != Device.NEVER) {
+            Due next = new Due(device, atNanos);
+            byDevice.put(device, next);
+            inOrder.add(next);
+        }
+        if (2 * calledOff > FEW + inOrder.size()) {
+            inOrder.removeIf(Due::isCalledOff);
+            byDevice.values().removeIf(Due::isCalledOff);
+            calledOff = 0;
         }
     }
 
-    private static void cancel(@Nullable Due due) {
-        if (due != null) {
-            due.cancelled = true;
-        }
+    private void change(Due due, long atNanos) {
+        calledOff -= due.isCalledOff() ? 1 : 0;
+        due.atNanos = atNanos;
+        calledOff += due.isCalledOff() ? 1 : 0;
     }
 
     /** Removes and returns the first device at which something is due by then; null if there is none. */
     @Nullable
     String poll(long atNanos) {
-        while (!inOrder.isEmpty() && inOrder.peek().atNanos <= atNanos) {
+        while (!inOrder.isEmpty() && inOrder.peek().queuedNanos <= atNanos) {
             Due due = inOrder.poll();
-            if (!due.cancelled) {
-                byDevice.remove(due.device);
+            if (due.isPutOff()) {
+                due.queuedNanos = due.atNanos;
+                inOrder.add(due);
+                continue;
+            }
+            byDevice.remove(due.device, due);
+            if (!due.isCalledOff()) {
                 return due.device;
             }
+            calledOff--;
         }
         return null;
     }
 
-    /** The number of entries in the queue, cancelled ones included. */
+    /** The number of entries in the queue, including those called off. */
     int queued() {
         return inOrder.size();
     }

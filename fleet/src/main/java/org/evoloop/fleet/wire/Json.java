@@ -10,10 +10,14 @@ import org.jspecify.annotations.Nullable;
  * Writes one JSON object as bytes, its members in the order of the calls, so that the same calls give the same bytes.
  */
 final class Json {
-    /** Large enough for most records. */
-    private static final int CAPACITY = 256;
+    /** Large enough for nearly all records. */
+    private static final int CAPACITY = 4096;
+
+    /** Unused buffers; null while a record is being written. */
+    private static final ThreadLocal<byte @Nullable []> SPARE = new ThreadLocal<>();
 
     private static final int DECIMAL = 10;
+    private static final int DIGITS_OF_LONG = 19;
     private static final int ASCII = 0x80;
     private static final byte[] BEGIN = ("{\"schema\":" + Wire.SCHEMA).getBytes(StandardCharsets.US_ASCII);
 
@@ -22,8 +26,11 @@ final class Json {
 
     /** A record. */
     Json() {
-        bytes = Arrays.copyOf(BEGIN, CAPACITY);
+        byte[] spare = SPARE.get();
+        bytes = spare == null ? new byte[CAPACITY] : spare;
+        SPARE.set(null);
         length = BEGIN.length;
+        System.arraycopy(BEGIN, 0, bytes, 0, length);
     }
 
     /** Begins an object in this one; {@link #end} ends it. */
@@ -36,7 +43,23 @@ final class Json {
         return octet('}');
     }
 
+    /** Names need no escapes, except those of {@link #withValues}. */
+    @SuppressWarnings("deprecation") // It does not encode, which is right for ASCII, and fast.
     private Json name(String name) {
+        int count = name.length();
+        room(count + 4);
+        if (bytes[length - 1] != '{') {
+            bytes[length++] = ',';
+        }
+        bytes[length++] = '"';
+        name.getBytes(0, count, bytes, length);
+        length += count;
+        bytes[length++] = '"';
+        bytes[length++] = ':';
+        return this;
+    }
+
+    private Json anyName(String name) {
         if (bytes[length - 1] != '{') {
             octet(',');
         }
@@ -92,19 +115,20 @@ final class Json {
         return octet(']');
     }
 
-    /** Strings, numbers and booleans by name. */
-    Json withValues(String name, Map<String, Object> values) {
+    /** Strings, numbers and booleans by any name. */
+    Json withValues(String name, Map<String, ?> values) {
         if (values.isEmpty()) {
             return this;
         }
         begin(name);
         values.forEach((key, value) -> {
+            anyName(key);
             if (value instanceof String words) {
-                with(key, words);
-            } else if (value instanceof Boolean truth) {
-                with(key, truth.booleanValue());
-            } else if (value instanceof Double number) {
-                with(key, number.doubleValue());
+                quoted(words);
+            } else if (value instanceof Long number) {
+                number(number);
+            } else {
+                plain(value.toString());
             }
         });
         return end();
@@ -168,7 +192,7 @@ final class Json {
             return plain(Long.toString(value));
         }
         int digits = 1;
-        for (long rest = value / DECIMAL; rest > 0; rest /= DECIMAL) {
+        for (long power = DECIMAL; digits < DIGITS_OF_LONG && value >= power; power *= DECIMAL) {
             digits++;
         }
         room(digits);
@@ -203,6 +227,9 @@ final class Json {
 
     byte[] bytes() {
         octet('}');
+        if (bytes.length == CAPACITY) {
+            SPARE.set(bytes);
+        }
         return Arrays.copyOf(bytes, length);
     }
 }

@@ -16,7 +16,6 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
-import tools.jackson.core.JacksonException;
 
 /**
  * A record read from a fleet's topics. Unknown members are ignored.
@@ -45,13 +44,7 @@ public final class Reading {
      * @throws Refusal if it is not a JSON object, or one of a newer schema
      */
     public static Reading of(byte @Nullable [] bytes) {
-        Members members;
-        try {
-            members = bytes == null ? null : Members.read(bytes);
-        } catch (JacksonException e) {
-            throw malformed("it is not valid JSON: " + e.getOriginalMessage());
-        }
-        if (members == null) {
+        if (bytes == null || !(JsonReader.read(bytes) instanceof Members members)) {
             throw malformed("a JSON object was expected");
         }
         Reading reading = new Reading(members);

@@ -174,9 +174,7 @@ public final class Wire {
         if (!deadlines.isEmpty()) {
             Map<String, Long> sorted = new TreeMap<>();
             deadlines.forEach((timer, due) -> sorted.put(timer.name(), millis(due)));
-            json.begin("timersMillis");
-            sorted.forEach(json::with);
-            json.end();
+            json.withValues("timersMillis", sorted);
         }
         return snapshot.doubt() == null || snapshot.doubt().settled()
                 ? json.bytes()

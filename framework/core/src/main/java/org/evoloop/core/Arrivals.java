@@ -26,6 +26,11 @@ final class Arrivals {
         this.ledger = ledger;
     }
 
+    /** Other rules may apply from now on. */
+    void forget() {
+        lastUnknown = null;
+    }
+
     /** Takes an occurrence. */
     void observe(Occurrence occurrence) {
         if (occurrence instanceof Occurrence.Found found) {

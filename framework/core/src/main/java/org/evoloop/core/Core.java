@@ -41,6 +41,12 @@ public final class Core implements Inputs {
         this.takeover = new Takeover(ledger);
     }
 
+    /** Continues from {@code snapshot} instead, as a new core would: for programs that run very many converters. */
+    public void restore(Rules rules, Snapshot snapshot) {
+        ledger.restore(rules, snapshot);
+        arrivals.forget();
+    }
+
     private static Snapshot fresh(Rules rules) {
         return new Snapshot(
                 false,

@@ -12,6 +12,10 @@ final class Counts {
     private int highest;
 
     Counts(Tally tally) {
+        restore(tally);
+    }
+
+    void restore(Tally tally) {
         outcomes[placeOf(Outcome.HANDLED)] = tally.handled();
         outcomes[placeOf(Outcome.IGNORED)] = tally.ignored();
         outcomes[placeOf(Outcome.STALE)] = tally.stale();

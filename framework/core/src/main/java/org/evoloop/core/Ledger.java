@@ -33,17 +33,26 @@ final class Ledger {
     final Outputs out;
 
     Ledger(Rules rules, Snapshot snapshot, Outputs out) {
-        Snapshot.OpenVisit visit = snapshot.visit();
-        this.rules = rules;
         this.out = out;
-        this.open = snapshot.open();
-        this.nowNanos = snapshot.nowNanos();
-        this.place = new Place(snapshot.at(), snapshot.steps(), snapshot.lastStepNanos(), snapshot.doubt());
+        this.place = new Place(snapshot);
         this.counts = new Counts(snapshot.tally());
-        this.line = new Line(snapshot.waiting(), counts, snapshot.losing());
-        this.stay = new Stay(visit.number(), visit.over(), visit.by(), visit.deadlines());
+        this.line = new Line(snapshot, counts);
+        this.stay = new Stay(snapshot.visit());
         this.progress = new Progress(snapshot.work());
-        this.followOwed = snapshot.followOwed();
+        this.rules = rules;
+        restore(rules, snapshot);
+    }
+
+    void restore(Rules otherRules, Snapshot snapshot) {
+        rules = otherRules;
+        open = snapshot.open();
+        nowNanos = snapshot.nowNanos();
+        followOwed = snapshot.followOwed();
+        place.restore(snapshot);
+        counts.restore(snapshot.tally());
+        line.restore(snapshot);
+        stay.restore(snapshot.visit());
+        progress.restore(snapshot.work());
     }
 
     Snapshot snapshot() {

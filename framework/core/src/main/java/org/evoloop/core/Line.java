@@ -2,7 +2,6 @@ package org.evoloop.core;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.List;
 import java.util.function.Function;
 import java.util.function.Predicate;
@@ -28,13 +27,19 @@ final class Line {
     /** Whether anything has been lost since there was last room. */
     private boolean losing;
 
-    Line(Collection<Pending> waiting, Counts counts, boolean losing) {
-        waiting.forEach(pending -> {
-            this.waiting.add(pending);
+    Line(Snapshot snapshot, Counts counts) {
+        this.counts = counts;
+        restore(snapshot);
+    }
+
+    void restore(Snapshot snapshot) {
+        waiting.clear();
+        losable = 0;
+        snapshot.waiting().forEach(pending -> {
+            waiting.add(pending);
             countIn(pending);
         });
-        this.counts = counts;
-        this.losing = losing;
+        losing = snapshot.losing();
     }
 
     private void countIn(Pending pending) {

@@ -17,11 +17,16 @@ final class Place {
     private long lastStepNanos;
     private @Nullable Doubt doubt;
 
-    Place(Configuration at, long steps, long lastStepNanos, @Nullable Doubt doubt) {
-        this.at = at;
-        this.steps = steps;
-        this.lastStepNanos = lastStepNanos;
-        this.doubt = doubt;
+    Place(Snapshot snapshot) {
+        at = snapshot.at();
+        restore(snapshot);
+    }
+
+    void restore(Snapshot snapshot) {
+        at = snapshot.at();
+        steps = snapshot.steps();
+        lastStepNanos = snapshot.lastStepNanos();
+        doubt = snapshot.doubt();
     }
 
     Configuration at() {

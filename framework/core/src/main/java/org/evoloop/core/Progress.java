@@ -21,6 +21,11 @@ final class Progress {
     private List<Occurrence> meanwhile = List.of();
 
     Progress(@Nullable Work work) {
+        restore(work);
+    }
+
+    void restore(@Nullable Work work) {
+        end();
         if (work != null) {
             pending = work.pending();
             decision = work.decision();

@@ -19,13 +19,18 @@ final class Stay {
     private @Nullable Transition by;
 
     /** Without timers that have fired. */
-    private final Map<Event, Long> deadlines;
+    private final Map<Event, Long> deadlines = new LinkedHashMap<>();
 
-    Stay(long number, boolean over, @Nullable Transition by, Map<Event, Long> deadlines) {
-        this.number = number;
-        this.over = over;
-        this.by = by;
-        this.deadlines = new LinkedHashMap<>(deadlines);
+    Stay(Snapshot.OpenVisit visit) {
+        restore(visit);
+    }
+
+    void restore(Snapshot.OpenVisit visit) {
+        number = visit.number();
+        over = visit.over();
+        by = visit.by();
+        deadlines.clear();
+        deadlines.putAll(visit.deadlines());
     }
 
     long number() {

@@ -22,11 +22,14 @@ final class ByteWriter extends ItemWriter {
     /** The most bytes of a number. */
     private static final int MOST_OF_NUMBER = 10;
 
-    /** Large enough for most snapshots. */
-    private static final int CAPACITY = 192;
-
-    private byte[] bytes = new byte[CAPACITY];
+    private byte[] bytes;
     private int length;
+
+    /** Continues after the first {@code length} bytes of {@code bytes}. */
+    ByteWriter(byte[] bytes, int length) {
+        this.bytes = bytes;
+        this.length = length;
+    }
 
     byte[] written() {
         return Arrays.copyOf(bytes, length);

@@ -16,11 +16,19 @@ public final class SnapshotBytes {
     /** The version of the format. */
     public static final int VERSION = 1;
 
+    /** Enough for most snapshots. */
+    private static final int CAPACITY = 192;
+
     private SnapshotBytes() {}
 
     /** The bytes of {@code snapshot}; the first is the version. */
     public static byte[] write(Snapshot snapshot) {
-        ByteWriter writer = new ByteWriter();
+        return write(new byte[CAPACITY], 0, snapshot);
+    }
+
+    /** The first {@code length} bytes of {@code head}, then those of {@code snapshot}. The rest of {@code head} is used, too. */
+    public static byte[] write(byte[] head, int length, Snapshot snapshot) {
+        ByteWriter writer = new ByteWriter(head, length);
         writer.number(VERSION);
         new SnapshotWriter(writer).write(snapshot);
         return writer.written();
