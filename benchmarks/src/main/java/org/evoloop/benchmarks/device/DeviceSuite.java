@@ -24,7 +24,7 @@ public final class DeviceSuite implements Suite {
 
     @Override
     public List<Row> measure(boolean quick) throws Exception {
-        List<Row> rows = new ArrayList<>(presses(quick ? "20" : "100"));
+        List<Row> rows = new ArrayList<>(presses(quick ? "10" : "60"));
         Fork version = Fork.java("-version");
         double[] starts = new double[quick ? 3 : 9];
         double[] versions = new double[starts.length];
