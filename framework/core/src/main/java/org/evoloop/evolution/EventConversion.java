@@ -73,9 +73,7 @@ final class EventConversion {
         }
 
         Configuration with(State original) {
-            return together != null && original.equals(first)
-                    ? together
-                    : new Configuration(original, state);
+            return together != null && original.equals(first) ? together : new Configuration(original, state);
         }
     }
 
