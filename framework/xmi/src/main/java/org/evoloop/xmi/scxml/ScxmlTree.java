@@ -38,8 +38,8 @@ final class ScxmlTree {
 
     /** Makes a vertex known by its id. */
     private void enter(ScxmlVertex vertex) {
-        // A copy, so that all ids are close together: a hundred thousand look-ups would be slow if each key was somewhere
-        // among all that was read from the file.
+        // A copy, so that all ids are close together: a hundred thousand look-ups would be slow if each key lay
+        // somewhere among all that was read from the file.
         String id = new String(vertex.node().attribute("id").strip().toCharArray());
         vertex.name(id, id.isEmpty() ? madeUpKey() : id);
         ScxmlVertex namesake = id.isEmpty() ? null : byId.putIfAbsent(id, vertex);
