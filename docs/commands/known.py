@@ -244,15 +244,14 @@ KNOWN = [
     Known("./evoloop bench", why_not="takes 15 to 20 minutes; --quick does the same with fewer rounds"),
     typed("./evoloop bench --quick", slow=True, shows="decision"),
     Known("./evoloop bench --only ring", run="./evoloop bench --quick --only ring", slow=True),
-    typed("./evoloop bench --quick --only ring,running,loading", slow=True, shows="button to command"),
     Known("./evoloop bench --json FILE", run="./evoloop bench --quick --only loading --json rows.json", slow=True),
     Known(
-        "./evoloop bench --json benchmarks/results/2026-11-22.json",
+        "./evoloop bench --json benchmarks/results/2026-11-25.json",
         why_not="is ./evoloop bench with a file for its results",
     ),
     Known(
-        "./evoloop bench plot benchmarks/results/2026-11-22.json docs/benchmarks.svg",
-        run="./evoloop bench plot benchmarks/results/2026-11-22.json docs/benchmarks.svg",
+        "./evoloop bench plot benchmarks/results/2026-11-25.json docs/benchmarks.svg",
+        run="./evoloop bench plot benchmarks/results/2026-11-25.json docs/benchmarks.svg",
         slow=True,
     ),
     Known("./evoloop bench soak", run="./evoloop bench soak --events 20000", slow=True, shows="20,000 events"),

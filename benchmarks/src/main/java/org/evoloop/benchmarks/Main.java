@@ -32,7 +32,7 @@ public final class Main implements Callable<Integer> {
     private static final List<Suite> SUITES =
             List.of(new DecisionSuite(), new RingSuite(), new RunningSuite(), new LoadingSuite(), new DeviceSuite());
 
-    @Option(names = "--quick", description = "Takes three to four minutes; the figures are rougher.")
+    @Option(names = "--quick", description = "Takes less than ten minutes; the figures are rougher.")
     private boolean quick;
 
     @Option(

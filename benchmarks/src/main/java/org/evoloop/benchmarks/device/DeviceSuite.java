@@ -48,7 +48,7 @@ public final class DeviceSuite implements Suite {
 
     private static List<Row> presses(String times) throws IOException, InterruptedException {
         return PressWay.rows(
-                Fork.shipped(PressToCommand.class, List.of("1"), times).figures());
+                Fork.shipped(PressToCommand.class, List.of("0"), times).figures());
     }
 
     private record Started(double seconds, double megabytes) {}
