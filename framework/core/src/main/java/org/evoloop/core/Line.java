@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
  * a timer or a function raises, have places of their own, {@value #MOST_FACTS} more.
  */
 final class Line {
-    /** How many more than the capacity may wait if they must not be lost for want of it. */
+    /** How many more places than the capacity there are for facts, and for events of timers and functions. */
     static final int MOST_FACTS = 1024;
 
     private final ArrayDeque<Pending> waiting = new ArrayDeque<>();

@@ -97,13 +97,12 @@ public final class DecisionTable {
     /** The number of a configuration; one that is new is explored later. */
     private int reach(Configuration at) {
         Integer known = situations.get(at);
-        if (known != null) {
-            return known;
+        if (known == null) {
+            known = reached.size();
+            situations.put(at, known);
+            reached.add(at);
         }
-        int number = reached.size();
-        situations.put(at, number);
-        reached.add(at);
-        return number;
+        return known;
     }
 
     private void explore(boolean withInterference, Set<Decision.Impossible> impossible) {

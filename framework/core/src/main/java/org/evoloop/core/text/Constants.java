@@ -18,7 +18,7 @@ final class Constants<E extends Enum<E>> {
 
     private Constants(E[] all) {
         for (E each : all) {
-            String word = each.name().toLowerCase(Locale.ROOT).intern();
+            String word = each.name().toLowerCase(Locale.ROOT);
             words.put(each, word);
             constants.put(word, each);
         }

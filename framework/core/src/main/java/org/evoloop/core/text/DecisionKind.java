@@ -34,7 +34,7 @@ public enum DecisionKind {
     private final String word;
 
     DecisionKind() {
-        word = name().toLowerCase(Locale.ROOT).replace('_', '-').intern();
+        word = name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
     /** Its name in texts: {@code existing-function}. */

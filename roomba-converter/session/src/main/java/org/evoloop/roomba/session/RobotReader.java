@@ -150,7 +150,7 @@ final class RobotReader implements ConnectionOwner {
         }
         Set<Button> pressed = buttons.update(values.buttons());
         if (!now.isUnderControl()) {
-            pressed.forEach(this::obeysButton);
+            pressed.forEach(this::robotActsOn);
         }
         SpotWatch.Ending ending = spotWatch.update(values);
         if (ending != null) {
@@ -205,7 +205,7 @@ final class RobotReader implements ConnectionOwner {
         reportAgain = true;
     }
 
-    private void obeysButton(Button button) {
+    private void robotActsOn(Button button) {
         listeners.forEach(listener -> listener.pressed(button, true));
         reportAgain |= undocking.giveUp();
         estimate.pressed(button);
