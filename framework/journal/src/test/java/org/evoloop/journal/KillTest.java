@@ -24,10 +24,10 @@ class KillTest {
 
     @Test
     @Tag("slow")
-    void manyKills() {
+    void manyKills() throws Exception {
         CompletableFuture<Void> other = CompletableFuture.runAsync(() -> kill("per-intent", Forcing.PER_INTENT, 170));
         kill("by-batch", Forcing.BY_BATCH, 330);
-        other.join();
+        other.get();
     }
 
     private void kill(String name, Forcing forcing, int times) {

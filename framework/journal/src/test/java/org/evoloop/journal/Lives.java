@@ -17,6 +17,7 @@ import java.util.TreeMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.evoloop.JavaProcess;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The lives of one converter, each a process of its own, and the device that outlives them, which is this process. It
@@ -62,23 +63,38 @@ final class Lives {
                 press(controller, 1 + random.nextInt(8));
             }
             if (random.nextBoolean()) {
+                int before = evolutions();
                 controller.println("evolve");
-                awaitEvolving(process);
+                awaitEvolution(process, before);
                 process.waitFor(random.nextInt(random.nextInt(3) == 0 ? 500_000 : 50_000), TimeUnit.MICROSECONDS);
             }
             process.waitFor(random.nextInt(25_000), TimeUnit.MICROSECONDS);
             press(controller, random.nextInt(3));
             process.waitFor(random.nextInt(5_000), TimeUnit.MICROSECONDS);
-            process.destroyForcibly();
+            // Unlike Process, its handle does not close the pipe from which the device still reads.
+            process.toHandle().destroyForcibly();
             process.waitFor();
-            reader.join();
+            awaitLastWords(reader);
         }
     }
 
-    /** Waits until the converter is about to evolve to other models. */
-    private synchronized void awaitEvolving(Process process) throws InterruptedException {
-        while (process.isAlive() && model.equals(evolvingTo)) {
+    private synchronized int evolutions() {
+        return evolutions;
+    }
+
+    /** Waits until the converter is about to evolve to other models, or has done so. */
+    private synchronized void awaitEvolution(Process process, int before) throws InterruptedException {
+        while (process.isAlive() && evolutions == before) {
             wait(50);
+        }
+    }
+
+    /** Waits until all that a process has written is heard, and fails if any of it must not have been. */
+    private void awaitLastWords(Thread reader) throws InterruptedException {
+        reader.join();
+        Throwable cause = misheard;
+        if (cause != null) {
+            throw new AssertionError("a line of the converter", cause);
         }
     }
 
@@ -100,8 +116,9 @@ final class Lives {
                 for (String line = lines.readLine(); line != null; line = lines.readLine()) {
                     hear(line, replies, started);
                 }
-            } catch (IOException killed) {
-                // What it wrote before the kill has been read.
+            } catch (IOException | AssertionError e) {
+                misheard = e;
+                process.toHandle().destroyForcibly();
             } finally {
                 started.countDown();
             }
@@ -120,7 +137,10 @@ final class Lives {
                 replies.println("done " + words[1]);
             }
             case "where" -> replies.println("in " + STATES.get(device));
-            case "evolving" -> evolvingTo = words[2];
+            case "evolving" -> {
+                evolvingTo = words[2];
+                evolutions++;
+            }
             case "model" -> {
                 assertThat(words[1])
                         .as("entirely one model or entirely the other")
@@ -149,7 +169,10 @@ final class Lives {
 
     private String model = "new";
     private String evolvingTo = "new";
+    private int evolutions;
     private int evolved;
+
+    private volatile @Nullable Throwable misheard;
 
     /** The last life, which ends when nothing waits. */
     void liveToTheEnd() throws Exception {
@@ -159,14 +182,16 @@ final class Lives {
             controller.println("press next " + ++presses);
             synchronized (this) {
                 pressed.put(presses, "next");
-                while (!ended.containsKey(presses) && process.isAlive()) {
+                long limit = System.nanoTime() + TimeUnit.MINUTES.toNanos(1);
+                while (!ended.containsKey(presses) && process.isAlive() && System.nanoTime() < limit) {
                     wait(1_000);
                 }
             }
             controller.println("status");
         }
         process.waitFor(60, TimeUnit.SECONDS);
-        reader.join();
+        process.toHandle().destroyForcibly();
+        awaitLastWords(reader);
         assertThat(process.exitValue()).as("the last life: %s", log()).isZero();
     }
 
