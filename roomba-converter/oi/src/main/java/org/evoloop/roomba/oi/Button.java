@@ -27,6 +27,9 @@ public enum Button {
     /** Sets the clock. */
     CLOCK(7);
 
+    /** {@link #values()} makes a copy, which would be one for each frame. */
+    private static final Button[] ALL = values();
+
     private final int bit;
 
     Button(int bit) {
@@ -46,7 +49,7 @@ public enum Button {
     /** The buttons whose bits are set, as a new set. */
     public static Set<Button> fromBits(int bits) {
         Set<Button> buttons = EnumSet.noneOf(Button.class);
-        for (Button button : values()) {
+        for (Button button : ALL) {
             if (button.isIn(bits)) {
                 buttons.add(button);
             }

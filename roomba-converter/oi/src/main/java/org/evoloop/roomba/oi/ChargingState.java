@@ -21,6 +21,9 @@ public enum ChargingState {
     /** Cannot charge. */
     FAULT(5);
 
+    /** By code. One is looked up in each frame, and {@link #values()} makes a copy. */
+    private static final ChargingState[] BY_CODE = values();
+
     private final int code;
 
     ChargingState(int code) {
@@ -34,11 +37,6 @@ public enum ChargingState {
 
     /** The state with this code; empty for codes that the specification does not name. */
     public static Optional<ChargingState> of(int code) {
-        for (ChargingState state : values()) {
-            if (state.code == code) {
-                return Optional.of(state);
-            }
-        }
-        return Optional.empty();
+        return code >= 0 && code < BY_CODE.length ? Optional.of(BY_CODE[code]) : Optional.empty();
     }
 }

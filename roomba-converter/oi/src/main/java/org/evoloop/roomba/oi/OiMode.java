@@ -17,6 +17,9 @@ public enum OiMode {
     /** Full control without any protection. */
     FULL(3);
 
+    /** By code. Several modes are looked up in each frame, and {@link #values()} makes a copy. */
+    private static final OiMode[] BY_CODE = values();
+
     private final int code;
 
     OiMode(int code) {
@@ -30,11 +33,6 @@ public enum OiMode {
 
     /** The mode with this code; empty for others, since some robots report codes that the specification lacks. */
     public static Optional<OiMode> of(int code) {
-        for (OiMode mode : values()) {
-            if (mode.code == code) {
-                return Optional.of(mode);
-            }
-        }
-        return Optional.empty();
+        return code >= 0 && code < BY_CODE.length ? Optional.of(BY_CODE[code]) : Optional.empty();
     }
 }

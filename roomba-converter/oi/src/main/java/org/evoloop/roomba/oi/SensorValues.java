@@ -111,9 +111,12 @@ public final class SensorValues {
         return packet.id() - Packet.FIRST_ID;
     }
 
-    /** A copy with this value added or replaced. */
+    /** A copy with this value added or replaced; the same object if it has the value already. */
     public SensorValues with(Packet packet, int value) {
-        int[] changed = values.clone();
+        if (has(packet) && values[index(packet)] == value) {
+            return this;
+        }
+        int[] changed = Arrays.copyOf(values, values.length);
         changed[index(packet)] = value;
         return new SensorValues(present | 1L << index(packet), changed);
     }

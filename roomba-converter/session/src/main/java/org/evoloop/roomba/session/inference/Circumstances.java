@@ -1,5 +1,7 @@
 package org.evoloop.roomba.session.inference;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * The robot's circumstances, independent of its activity.
  *
@@ -16,4 +18,21 @@ public record Circumstances(boolean asleep, boolean inTrouble, boolean docked, b
     public static final Circumstances USUAL = new Circumstances(false, false, false, false);
 
     static final Circumstances ASLEEP = new Circumstances(true, false, false, false);
+
+    // Compared in each frame. The methods that Java generates use method handles, which the C1 compiler makes slow code
+    // of.
+
+    @Override
+    public boolean equals(@Nullable Object other) {
+        return other instanceof Circumstances that
+                && asleep == that.asleep
+                && inTrouble == that.inTrouble
+                && docked == that.docked
+                && filling == that.filling;
+    }
+
+    @Override
+    public int hashCode() {
+        return (asleep ? 8 : 0) + (inTrouble ? 4 : 0) + (docked ? 2 : 0) + (filling ? 1 : 0);
+    }
 }
