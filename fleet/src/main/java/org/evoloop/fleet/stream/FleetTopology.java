@@ -123,7 +123,8 @@ public final class FleetTopology {
         @Override
         public void process(Record<String, byte[]> record) {
             if (record.key() == null) {
-                // A compacted topic has no such records, but somebody may have made it without. A failure would end all.
+                // A compacted topic has no such records, but somebody may have made it without. A failure would end
+                // all.
                 LOG.error("a record for {} is ignored: it has no key", name);
                 return;
             }

@@ -57,8 +57,7 @@ class GatewayTest {
                 Awaitility.await().atMost(LIMIT).until(gateway::reachesDevices);
                 for (String level : List.of("NaN", "1e999")) {
                     lamp.publish(Message.event(
-                            "evoloop/lamp/occurrence",
-                            "{\"event\":\"switch\",\"values\":{\"level\":" + level + "}}"));
+                            "evoloop/lamp/occurrence", "{\"event\":\"switch\",\"values\":{\"level\":" + level + "}}"));
                 }
                 cluster.readUntil(all -> all.of(Topic.DEAD_LETTERS, "lamp").size() == 2);
                 assertThat(cluster.records().of(Topic.DEAD_LETTERS, "lamp"))

@@ -364,7 +364,7 @@ class FleetFuzzTest {
                 seed(Topic.EFFECTS, 0, "{\"sequence\":1,\"outcome\":\"in-doubt\",\"reason\":\"?\"" + at + "}"),
                 seed(Topic.EFFECTS, 0, "{\"sequence\":1,\"outcome\":\"failed\",\"state\":\" \"" + at + "}"),
                 seed(Topic.DEVICES, 2, "{\"schema\":1,\"model\":\"lamp-2\"}"),
-                seed(Topic.DEVICES, 0, "{\"schema\":2,\"model\":\"\\ud83d\"}"),
+                seed(Topic.DEVICES, 0, "{\"schema\":1,\"model\":\"\\ud83d\"}"),
                 seed(Topic.MODELS, 0, models),
                 seed(Topic.MODELS, 0, models.replace("2000", "" + Long.MAX_VALUE)),
                 seed(Topic.ROLLOUTS, 0, other),
