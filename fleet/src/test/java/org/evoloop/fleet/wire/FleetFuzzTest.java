@@ -225,8 +225,8 @@ class FleetFuzzTest {
             }
             outputs.values().forEach(TestOutputTopic::readKeyValuesToList);
             assertThat(log.list)
-                    .extracting(ILoggingEvent::getFormattedMessage)
-                    .noneMatch(message -> message.contains("defect"));
+                    .extracting(ILoggingEvent::getMessage)
+                    .noneMatch(pattern -> pattern.contains("this is a defect"));
             return result;
         }
 
