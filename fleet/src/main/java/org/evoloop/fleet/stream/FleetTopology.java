@@ -15,6 +15,8 @@ import org.apache.kafka.streams.state.KeyValueStore;
 import org.apache.kafka.streams.state.StoreBuilder;
 import org.apache.kafka.streams.state.Stores;
 import org.evoloop.fleet.wire.Topic;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * The topology of topics and processors.
@@ -22,6 +24,7 @@ import org.evoloop.fleet.wire.Topic;
  * @since 0.1
  */
 public final class FleetTopology {
+    private static final Logger LOG = LoggerFactory.getLogger(FleetTopology.class);
     private static final String DEVICE = "device";
     private static final String WATCH = "rollout-watch";
     private static final Set<Topic> IN = EnumSet.of(Topic.DEVICES, Topic.OCCURRENCES, Topic.EFFECTS);
@@ -119,6 +122,12 @@ public final class FleetTopology {
 
         @Override
         public void process(Record<String, byte[]> record) {
+            if (record.key() == null) {
+                // A compacted topic has no such records, but somebody may have made it without. A failure would end
+                // all.
+                LOG.error("a record for {} is ignored: it has no key", name);
+                return;
+            }
             store.put(record.key(), record.value());
         }
     }

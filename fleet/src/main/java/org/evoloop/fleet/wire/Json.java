@@ -71,7 +71,7 @@ final class Json {
     }
 
     Json with(String name, double value) {
-        return name(name).plain(Double.toString(value));
+        return name(name).number(value);
     }
 
     Json with(String name, boolean value) {
@@ -127,6 +127,8 @@ final class Json {
                 quoted(words);
             } else if (value instanceof Long number) {
                 number(number);
+            } else if (value instanceof Double number) {
+                number(number);
             } else {
                 plain(value.toString());
             }
@@ -171,20 +173,42 @@ final class Json {
         if (each == '"' || each == '\\') {
             octet('\\').octet(each);
         } else if (each < ' ') {
-            plain(String.format("\\u%04x", (int) each));
+            escaped(each);
         } else {
             octet(each);
         }
     }
 
+    private void escaped(char each) {
+        plain(String.format("\\u%04x", (int) each));
+    }
+
+    /** UTF-8 lacks half a character, which a string may contain by an escape; it is written as one. */
     private void other(String words) {
-        for (byte each : words.getBytes(StandardCharsets.UTF_8)) {
-            if (each < 0) {
-                octet(each);
+        int at = 0;
+        while (at < words.length()) {
+            int point = words.codePointAt(at);
+            if (point < ASCII) {
+                ascii((char) point);
+            } else if (point <= Character.MAX_VALUE && Character.isSurrogate((char) point)) {
+                escaped((char) point);
             } else {
-                ascii((char) each);
+                utf8(point);
             }
+            at += Character.charCount(point);
         }
+    }
+
+    private void utf8(int point) {
+        for (byte each : Character.toString(point).getBytes(StandardCharsets.UTF_8)) {
+            octet(each);
+        }
+    }
+
+    /** JSON has no infinities and no NaN; they are written as strings, as in an exported journal. */
+    private Json number(double value) {
+        String text = Double.toString(value);
+        return Double.isFinite(value) ? plain(text) : quoted(text);
     }
 
     private Json number(long value) {

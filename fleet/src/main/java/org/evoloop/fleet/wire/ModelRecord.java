@@ -40,6 +40,9 @@ public record ModelRecord(
     private static final Pattern VERSION = Pattern.compile("[A-Za-z0-9._-]{1,100}");
     private static final int MOST_WAITING = 1_000;
 
+    /** A longer timer would be due at a time that cannot be expressed in nanoseconds since 1970. */
+    private static final Duration LONGEST = Duration.ofDays(100 * 365);
+
     /** An event raised {@code millis} after {@code state} is entered. */
     public record Timer(String state, String event, long millis) {}
 
@@ -100,8 +103,19 @@ public record ModelRecord(
             throw new ModelException(table.problems().get(0).toString());
         }
         Map<State, Map<Event, Duration>> byState = new HashMap<>();
-        pair.evolved().states().forEach(state -> byState.put(state, timers(pair.evolved(), state)));
+        for (State state : pair.evolved().states()) {
+            Map<Event, Duration> own = timers(pair.evolved(), state);
+            own.forEach((event, time) -> requireLikely(state, event, time));
+            byState.put(state, own);
+        }
         return new Rules(table, state -> byState.getOrDefault(state, Map.of()), queueCapacity);
+    }
+
+    private static void requireLikely(State state, Event event, Duration time) {
+        if (time.isNegative() || time.compareTo(LONGEST) > 0) {
+            throw new ModelException("the timer " + event + " of the state " + state.name() + " is " + time
+                    + "; allowed is 0 to 100 years");
+        }
     }
 
     /** All events can be sent to the device, except those declared as its own. */

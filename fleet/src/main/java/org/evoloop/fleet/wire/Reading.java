@@ -28,6 +28,9 @@ public final class Reading {
     /** Whole doubles of a smaller magnitude fit in a long. */
     private static final double MOST_WHOLE = 0x1p63;
 
+    /** Nanoseconds since 1970 fit in a long until the year 2262. */
+    private static final long MOST_MILLIS = Wire.millis(Long.MAX_VALUE);
+
     private static final Source[] SOURCES = Source.values();
     private static final Answer.Outcome[] OUTCOMES = Answer.Outcome.values();
     private static final Order.Kind[] KINDS = Order.Kind.values();
@@ -61,7 +64,7 @@ public final class Reading {
 
     /** The occurrence in this record of {@link Topic#OCCURRENCES}. */
     public Occurrence occurrence() {
-        long at = Wire.nanos(number("atMillis"));
+        long at = time("atMillis");
         String kind = text("kind", "heard");
         try {
             return switch (kind) {
@@ -81,30 +84,34 @@ public final class Reading {
 
     /** The answer in this record of {@link Topic#EFFECTS}. */
     public Answer answer() {
-        String state = record.get("state") == null ? null : text("state");
-        return new Answer(
-                number("sequence"),
-                constant(OUTCOMES, "outcome"),
-                text("reason", ""),
-                state == null ? null : new State(state),
-                Wire.nanos(number("atMillis")));
+        try {
+            return new Answer(
+                    number("sequence"),
+                    constant(OUTCOMES, "outcome"),
+                    text("reason", ""),
+                    record.get("state") == null ? null : new State(text("state")),
+                    time("atMillis"));
+        } catch (ModelException e) {
+            throw malformed(String.valueOf(e.getMessage()));
+        }
     }
 
     /** The order in this record of {@link Topic#COMMANDS}. */
     public Order order() {
         Order.Kind kind = constant(KINDS, "kind");
-        String what = kind == Order.Kind.LOCATE ? "" : text(kind == Order.Kind.SEND ? "event" : "effect");
+        boolean sends = kind == Order.Kind.SEND;
+        String what = kind == Order.Kind.LOCATE ? "" : text(sends ? "event" : "effect");
         return new Order(
                 number("sequence"),
                 0,
                 kind,
                 what,
                 values(),
-                Wire.nanos(number("deadlineMillis")),
+                time("deadlineMillis"),
                 number("visit", 0),
                 truth("function"),
-                text("from", ""),
-                text("to", ""));
+                sends ? text("from", "") : "",
+                sends ? text("to", "") : "");
     }
 
     private Source source() {
@@ -142,14 +149,35 @@ public final class Reading {
         Map<String, Object> values = new HashMap<>();
         members.forEach((name, value) -> {
             if (value instanceof Number number) {
-                values.put(name, number.doubleValue());
+                values.put(name, finite(name, number));
             } else if (value instanceof String || value instanceof Boolean) {
                 values.put(name, value);
             } else {
                 throw malformed("the value '" + name + "' must be a string, a number or a boolean");
             }
         });
-        return values.isEmpty() ? Values.NONE : new Values(values);
+        try {
+            return values.isEmpty() ? Values.NONE : new Values(values);
+        } catch (IllegalArgumentException e) {
+            throw malformed(String.valueOf(e.getMessage()));
+        }
+    }
+
+    /** JSON cannot express an infinity, so a record with one could not be written again. */
+    private static double finite(String name, Number number) {
+        double value = number.doubleValue();
+        if (Double.isInfinite(value)) {
+            throw malformed("the number '" + name + "' is too large; send one of at most 1.7E308, or a string");
+        }
+        return value;
+    }
+
+    private long time(String name) {
+        long millis = number(name);
+        if (millis > MOST_MILLIS || millis < -MOST_MILLIS) {
+            throw malformed("'" + name + "' is " + millis + "; give milliseconds since 1970");
+        }
+        return Wire.nanos(millis);
     }
 
     /** The number of that name. */
@@ -174,7 +202,7 @@ public final class Reading {
         if (value == null) {
             return otherwise;
         } else if (value instanceof Number number) {
-            return number.doubleValue();
+            return finite(name, number);
         }
         throw malformed("'" + name + "' must be a number");
     }

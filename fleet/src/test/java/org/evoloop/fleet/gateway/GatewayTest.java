@@ -55,6 +55,13 @@ class GatewayTest {
                 cluster.readUntil(all -> !all.of(Topic.STATES, "lamp").isEmpty());
                 gateway.start();
                 Awaitility.await().atMost(LIMIT).until(gateway::reachesDevices);
+                for (String level : List.of("NaN", "1e999")) {
+                    lamp.publish(Message.event(
+                            "evoloop/lamp/occurrence", "{\"event\":\"switch\",\"values\":{\"level\":" + level + "}}"));
+                }
+                cluster.readUntil(all -> all.of(Topic.DEAD_LETTERS, "lamp").size() == 2);
+                assertThat(cluster.records().of(Topic.DEAD_LETTERS, "lamp"))
+                        .allMatch(letter -> letter.contains("\"reason\":\"malformed\""));
                 press(lamp);
                 cluster.readUntil(all -> all.of(Topic.DECISIONS, "lamp").size() == 1);
                 assertThat(commands).hasSize(1);

@@ -38,6 +38,8 @@ class BadRecordsTest {
                     "{\"schema\":1,\"atMillis\":1}",
                     "malformed",
                     "'event' must be a string");
+            String large = Wire.text(RunningFleet.press(now)).replace("}", ",\"values\":{\"level\":1e999}}");
+            bad(fleet, "good", Topic.OCCURRENCES, large, "malformed", "the number 'level' is too large; send one");
             bad(fleet, "good", Topic.EFFECTS, "{\"schema\":1,\"sequence\":\"x\"}", "malformed", "'sequence' must be");
             bad(fleet, "good", Topic.DEVICES, "{\"schema\":1,\"model\":\"other\"}", "registered-already", "a rollout");
             fleet.press("good");

@@ -67,4 +67,25 @@ class JsonTest {
                 .isEqualTo("{\"schema\":1,\"values\":{\"a\":\"b\",\"c\":1.5,\"d\":false}}");
         assertThat(Wire.text(new Json().withValues("values", Map.of()).bytes())).isEqualTo("{\"schema\":1}");
     }
+
+    @Test
+    void aNumberThatJsonLacksIsAText() {
+        Map<String, Object> values = new TreeMap<>(Map.of("a", Double.NaN, "b", Double.NEGATIVE_INFINITY));
+        JsonNode read = MAPPER.readTree(new Json()
+                .withValues("values", values)
+                .with("c", Double.POSITIVE_INFINITY)
+                .bytes());
+        assertThat(read.get("values").get("a").stringValue()).isEqualTo("NaN");
+        assertThat(read.get("values").get("b").stringValue()).isEqualTo("-Infinity");
+        assertThat(read.get("c").stringValue()).isEqualTo("Infinity");
+    }
+
+    @Test
+    void halfACharacterIsReadAsItWasWritten() {
+        for (String half : List.of("\ud83d", "\ude00", "a\ude00\ud83d\ude00\ud83db")) {
+            byte[] bytes = new Json().with("half", half).bytes();
+            assertThat(MAPPER.readTree(bytes).get("half").stringValue()).isEqualTo(half);
+            assertThat(Reading.of(bytes).text("half")).isEqualTo(half);
+        }
+    }
 }

@@ -7,6 +7,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.evoloop.evolution.Occurrence;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -87,6 +89,8 @@ class ReadingTest {
                 "{\"atMillis\":1.5,\"event\":\"e\"}",
                 "{\"atMillis\":1e300,\"event\":\"e\"}",
                 "{\"atMillis\":99999999999999999999,\"event\":\"e\"}",
+                "{\"atMillis\":9223372036855,\"event\":\"e\"}",
+                "{\"atMillis\":-9223372036855,\"event\":\"e\"}",
                 "{\"atMillis\":null,\"event\":\"e\"}",
                 "{\"atMillis\":1,\"event\":7}",
                 "{\"atMillis\":1,\"event\":\"e\",\"kind\":null}",
@@ -96,11 +100,55 @@ class ReadingTest {
                 "{\"atMillis\":1,\"event\":\"e\",\"holding\":[1]}",
                 "{\"atMillis\":1,\"event\":\"e\",\"values\":[1]}",
                 "{\"atMillis\":1,\"event\":\"e\",\"values\":{\"a\":[]}}",
+                "{\"atMillis\":1,\"event\":\"e\",\"values\":{\"a\":NaN}}",
+                "{\"atMillis\":1,\"event\":\"e\",\"values\":{\"a\":Infinity}}",
+                "{\"atMillis\":1,\"event\":\"e\",\"values\":{\"a\":0x1p3}}",
+                "{\"atMillis\":1,\"event\":\"e\",\"values\":{\"a\":1d}}",
+                "{\"atMillis\":1,\"event\":\"e\",\"values\":{\"a\":-1e999}}",
                 "{\"atMillis\":1,\"event\":\"e\",\"visit\":\"1\"}"
             })
     void whatCannotBeReadIsMalformed(String record) {
         assertThatThrownBy(() -> reading(record).occurrence())
                 .isInstanceOfSatisfying(
                         Refusal.class, refusal -> assertThat(refusal.reason()).isEqualTo(Refusal.Reason.MALFORMED));
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "{\"sequence\":1,\"outcome\":\"sent\",\"atMillis\":1,\"state\":\" \"}",
+                "{\"sequence\":1,\"outcome\":\"sent\",\"atMillis\":9223372036855}",
+                "{\"sequence\":1,\"outcome\":\"perhaps\",\"atMillis\":1}"
+            })
+    void anAnswerThatCannotBeReadIsMalformed(String record) {
+        assertThatThrownBy(() -> reading(record).answer())
+                .isInstanceOfSatisfying(
+                        Refusal.class, refusal -> assertThat(refusal.reason()).isEqualTo(Refusal.Reason.MALFORMED));
+    }
+
+    @Test
+    void aCommandWithTooManyValuesIsMalformed() {
+        String values =
+                IntStream.range(0, 65).mapToObj(each -> "\"" + each + "\":1").collect(Collectors.joining(","));
+        assertThatThrownBy(() -> reading(
+                                "{\"sequence\":1,\"kind\":\"locate\",\"deadlineMillis\":1,\"values\":{" + values + "}}")
+                        .order())
+                .isInstanceOf(Refusal.class)
+                .hasMessageContaining("at most 64");
+    }
+
+    @Test
+    void aNumberThatIsTooLargeIsRefusedByName() {
+        String remedy = "' is too large; send one of at most 1.7E308, or a string";
+        for (String large : List.of("1e999", "-1e999", "9".repeat(400))) {
+            assertThatThrownBy(() -> reading("{\"atMillis\":1,\"event\":\"e\",\"values\":{\"level\":" + large + "}}")
+                            .occurrence())
+                    .hasMessage("the number 'level" + remedy);
+            assertThatThrownBy(() -> Rollout.read(
+                            "all",
+                            ("{\"from\":\"a\",\"to\":\"b\",\"percent\":" + large + "}")
+                                    .getBytes(StandardCharsets.UTF_8)))
+                    .hasMessage("the number 'percent" + remedy);
+        }
     }
 }

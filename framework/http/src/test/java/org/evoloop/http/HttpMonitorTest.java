@@ -131,6 +131,13 @@ class HttpMonitorTest {
                 .hasSizeLessThan(300);
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"NaN", "Infinity", "-Infinity", "0x1p3", "1d", "1e999", "1e3", ".5", "1."})
+    void whatIsNoPlainNumberIsText(String text) throws Exception {
+        assertThat(status(to("/switch?value=" + text).POST(body("")))).isEqualTo(204);
+        assertThat(sent.poll(20, TimeUnit.SECONDS)).isEqualTo(Values.of("value", text));
+    }
+
     @Test
     void aRequestIsAnEventWithValues() throws Exception {
         assertThat(status(to("/switch?warm=21.5&room=the%20kitchen").POST(body("hällo"))))

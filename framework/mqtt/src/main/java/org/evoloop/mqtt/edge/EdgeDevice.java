@@ -145,12 +145,17 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
             record.put("visit", occurrence.visit());
         }
         List<Reading> values = occurrence.values().byName().entrySet().stream()
-                .map(each -> new Reading(each.getKey(), each.getValue(), ""))
+                .map(each -> new Reading(each.getKey(), written(each.getValue()), ""))
                 .toList();
         if (!values.isEmpty()) {
             record.put("values", JsonObject.of(values));
         }
         store(OCCURRENCE, record.toString());
+    }
+
+    /** JSON has no infinities and no NaN; they are written as strings, so that the event is not lost for one value. */
+    private static Object written(Object value) {
+        return value instanceof Double number && !Double.isFinite(number) ? number.toString() : value;
     }
 
     @Override

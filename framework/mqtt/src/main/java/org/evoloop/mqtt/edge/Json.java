@@ -4,11 +4,13 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
-/** Reads JSON: objects as maps, arrays as lists, numbers as {@link Double}. */
+/** Reads JSON: objects as maps, arrays as lists, numbers as {@link Double}, which are finite. */
 final class Json {
     private static final int DEEPEST = 20;
+    private static final Pattern NUMBER = Pattern.compile("-?(0|[1-9][0-9]*)(\\.[0-9]+)?([eE][+-]?[0-9]+)?");
 
     private final String text;
     private int at;
@@ -126,12 +128,17 @@ final class Json {
         };
     }
 
+    /** Java's own parser accepts more, such as NaN, 1d and 0x1p3. */
     private Double number(String word) {
-        try {
-            return Double.valueOf(word);
-        } catch (NumberFormatException noNumber) {
+        if (!NUMBER.matcher(word).matches()) {
             throw wrong("'" + word + "' is not a value");
         }
+        double number = Double.parseDouble(word);
+        if (Double.isInfinite(number)) {
+            throw new IllegalArgumentException("the number " + word + " before character " + at
+                    + " is too large; send one of at most 1.7E308, or a string");
+        }
+        return number;
     }
 
     private boolean takes(char wanted) {

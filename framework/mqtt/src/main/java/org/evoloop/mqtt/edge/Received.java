@@ -13,11 +13,14 @@ import org.jspecify.annotations.Nullable;
 /**
  * A record of schema 1 from the gateway. Unknown members are ignored.
  *
- * <p>Errors: a missing member that is needed is an {@link IllegalArgumentException}.
+ * <p>Errors: a missing member that is needed, or a member of the wrong kind, is an {@link IllegalArgumentException}.
  *
  * <p>Threading: immutable.
  */
 final class Received {
+    /** Whole doubles of a smaller magnitude fit in a long. */
+    private static final double MOST_WHOLE = 0x1p63;
+
     private final Map<String, @Nullable Object> members;
 
     Received(String payload) {
@@ -28,7 +31,14 @@ final class Received {
     }
 
     long number(String name, long otherwise) {
-        return members.get(name) instanceof Double number ? number.longValue() : otherwise;
+        if (!members.containsKey(name)) {
+            return otherwise;
+        } else if (members.get(name) instanceof Double number
+                && number == Math.rint(number)
+                && Math.abs(number) < MOST_WHOLE) {
+            return number.longValue();
+        }
+        throw new IllegalArgumentException("'" + name + "' must be a whole number");
     }
 
     boolean truth(String name) {

@@ -35,6 +35,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** A lamp on a real MQTT broker; the test is its gateway. */
 class EdgeDeviceTest {
@@ -194,6 +196,51 @@ class EdgeDeviceTest {
         try (Outbox outbox = new Outbox(next, 0)) {
             assertThat(outbox.first(9, 1)).extracting(Outbox.Entry::topic).containsExactly("occurrence", "effect");
         }
+    }
+
+    @Test
+    void aValueThatJsonCannotExpressIsWrittenAsText() throws Exception {
+        try (EdgeDevice edge = new EdgeDevice(
+                "lamp",
+                BrokerAddress.parse(mosquitto.url()),
+                directory.resolve("edge"),
+                clock,
+                InstantSource.fixed(NOW),
+                link::add)) {
+            Values values = Values.of("a", Double.NaN)
+                    .with("b", Double.NEGATIVE_INFINITY)
+                    .with("c", 0.5);
+            edge.observed(new Occurrence.Heard(new Event("switch"), values, Source.PANEL, 0, 1));
+        }
+        try (Outbox outbox = new Outbox(directory.resolve("edge"), 0)) {
+            Map<String, Object> record = Json.object(outbox.first(1, 1).get(0).record());
+            assertThat(record).containsEntry("values", Map.of("a", "NaN", "b", "-Infinity", "c", 0.5));
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"NaN", "Infinity", "-Infinity", "0x1p3", "1d", "1f", "+1", ".5", "1.", "01", "1e"})
+    void onlyNumbersOfJsonAreNumbers(String word) {
+        assertThatThrownBy(() -> Json.object("{\"values\":{\"level\":" + word + "}}"))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage(
+                        "this is not valid JSON: '" + word + "' is not a value at character " + (19 + word.length()));
+    }
+
+    @Test
+    void aNumberIsFinite() {
+        assertThatThrownBy(() -> Json.object("{\"values\":{\"level\":-1e999}}"))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage(
+                        "the number -1e999 before character 25 is too large; send one of at most 1.7E308, or a string");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"1.5", "1e300", "-1e19", "\"7\"", "null", "true"})
+    void aNumberOfARecordIsWhole(String number) {
+        assertThatThrownBy(() -> new Received("{\"number\":" + number + "}").number("number", 0))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("'number' must be a whole number");
     }
 
     @Test
