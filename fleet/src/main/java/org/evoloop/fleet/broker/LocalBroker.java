@@ -10,9 +10,14 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Properties;
+import java.util.concurrent.ExecutionException;
 import kafka.server.KafkaConfig;
 import kafka.server.KafkaRaftServer;
+import org.apache.kafka.clients.admin.Admin;
+import org.apache.kafka.common.errors.BrokerIdNotRegisteredException;
+import org.apache.kafka.common.errors.NotControllerException;
 import org.apache.kafka.common.utils.Time;
 import org.apache.kafka.metadata.storage.Formatter;
 import org.apache.kafka.server.common.Feature;
@@ -26,6 +31,10 @@ import org.apache.kafka.server.common.Feature;
  * @since 0.1
  */
 public final class LocalBroker implements AutoCloseable {
+    private static final int NODE = 1;
+    private static final String FORMATTED = "meta.properties";
+    private static final long ELECTION_MILLIS = 100;
+
     private final KafkaRaftServer server;
     private final String bootstrap;
 
@@ -51,20 +60,66 @@ public final class LocalBroker implements AutoCloseable {
     public static LocalBroker start(Path directory, int port, int controllerPort) {
         String bootstrap = "localhost:" + port;
         Properties settings = settings(directory, port, controllerPort);
+        boolean hasRun = Files.exists(directory.resolve(FORMATTED));
         format(directory);
+        if (hasRun) {
+            unregister(settings, controllerPort);
+        }
         KafkaRaftServer server = new KafkaRaftServer(new KafkaConfig(settings, false), Time.SYSTEM);
         server.startup();
         return new LocalBroker(server, bootstrap);
     }
 
+    /**
+     * Lets the controller alone forget the broker of an earlier run. Otherwise a killed broker counts as running until its
+     * session ends, so this one leads its partitions at once, and then no longer, for a moment. In this moment Kafka 4.3.1
+     * takes the partitions for deleted and drops the ends of their transactions, which stay open forever (KAFKA-20734).
+     */
+    private static void unregister(Properties settings, int controllerPort) {
+        Properties alone = new Properties();
+        alone.putAll(settings);
+        alone.put("process.roles", "controller");
+        alone.put("listeners", "CONTROLLER://localhost:" + controllerPort);
+        alone.remove("inter.broker.listener.name");
+        KafkaRaftServer controller = new KafkaRaftServer(new KafkaConfig(alone, false), Time.SYSTEM);
+        controller.startup();
+        try (Admin admin = Admin.create(Map.of("bootstrap.controllers", "localhost:" + controllerPort))) {
+            while (!unregister(admin)) {
+                Thread.sleep(ELECTION_MILLIS);
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IllegalStateException("interrupted while the broker started", e);
+        } finally {
+            controller.shutdown();
+            controller.awaitShutdown();
+        }
+    }
+
+    /** False if the controller cannot do it yet, because it is not elected. */
+    private static boolean unregister(Admin admin) throws InterruptedException {
+        try {
+            admin.unregisterBroker(NODE).all().get();
+            return true;
+        } catch (ExecutionException e) {
+            if (e.getCause() instanceof BrokerIdNotRegisteredException) {
+                return true;
+            }
+            if (e.getCause() instanceof NotControllerException) {
+                return false;
+            }
+            throw new IllegalStateException("the earlier run's broker cannot be unregistered: " + e.getMessage(), e);
+        }
+    }
+
     private static Properties settings(Path directory, int port, int controllerPort) {
         Properties settings = new Properties();
         settings.put("process.roles", "broker,controller");
-        settings.put("node.id", "1");
+        settings.put("node.id", String.valueOf(NODE));
         settings.put("log.dirs", directory.toString());
         settings.put("listeners", "PLAINTEXT://localhost:" + port + ",CONTROLLER://localhost:" + controllerPort);
         settings.put("controller.listener.names", "CONTROLLER");
-        settings.put("controller.quorum.voters", "1@localhost:" + controllerPort);
+        settings.put("controller.quorum.voters", NODE + "@localhost:" + controllerPort);
         settings.put("inter.broker.listener.name", "PLAINTEXT");
         // A single node has no replicas, and no other members to wait for.
         settings.put("offsets.topic.replication.factor", "1");
@@ -88,7 +143,7 @@ public final class LocalBroker implements AutoCloseable {
             new Formatter()
                     .setPrintStream(new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8))
                     .setSupportedFeatures(Feature.PRODUCTION_FEATURES)
-                    .setNodeId(1)
+                    .setNodeId(NODE)
                     .setClusterId("ZXZvbG9vcC1mbGVldC0wMQ")
                     .setDirectories(List.of(directory.toString()))
                     .setMetadataLogDirectory(directory.toString())
