@@ -5,19 +5,10 @@ import org.jspecify.annotations.Nullable;
 
 /** A thread that runs analyze, plan and execute components: its slot holds the one whose turn it is. */
 final class CarrierThread extends LoopThread {
-    /** How long it stays awake for work that it was roused for: longer than it takes to decide on an occurrence. */
-    private static final long ROUSED_NANOS = 200_000;
-
     private final WaitStrategy waiting;
     // Volatile fields, not atomic objects: events are rare, so the code of those would still be interpreted.
     private volatile @Nullable StageWorker<?> slot;
     private volatile boolean asleep;
-    private volatile boolean roused;
-
-    /** Whether it was last roused for nothing; then it is not, until it has worked again. */
-    private volatile boolean disappointed;
-
-    private volatile @Nullable CarrierThread follower;
 
     /** Whether its turn came soon last time, so that it is worth staying awake. Used by the thread itself only. */
     private boolean patient = true;
@@ -30,22 +21,6 @@ final class CarrierThread extends LoopThread {
     /** Puts a component that was given work into the slot, which must be empty; {@link #wake} has to follow. */
     void give(StageWorker<?> stage) {
         slot = stage;
-    }
-
-    /** Sets the thread that usually works next. */
-    void precede(@Nullable CarrierThread next) {
-        follower = next;
-    }
-
-    /**
-     * Wakes the thread if it sleeps, and those that follow it, since there will probably be work soon: it takes a thread
-     * as long to wake up as it takes to decide on an occurrence.
-     */
-    void rouse() {
-        if (asleep && !disappointed) {
-            roused = true;
-            unpark();
-        }
     }
 
     /** Wakes the thread if it sleeps. */
@@ -76,9 +51,6 @@ final class CarrierThread extends LoopThread {
             long begun = System.nanoTime();
             while (isIdle()) {
                 sleep();
-                if (isRoused()) {
-                    lookOut();
-                }
             }
             patient = System.nanoTime() - begun < WaitStrategy.SOON_NANOS;
         }
@@ -87,25 +59,6 @@ final class CarrierThread extends LoopThread {
         if (!(interrupted && isRetired())) {
             runGiven();
         }
-    }
-
-    /** Whether it was roused and has not looked out for its work yet. */
-    boolean isRoused() {
-        return roused;
-    }
-
-    /** Stays awake for a moment, in which its work should come. */
-    void lookOut() {
-        CarrierThread next = follower;
-        if (next != null) {
-            next.rouse();
-        }
-        long end = System.nanoTime() + ROUSED_NANOS;
-        while (isIdle() && System.nanoTime() < end) {
-            giveWay();
-        }
-        disappointed = isIdle();
-        roused = false;
     }
 
     private boolean isIdle() {
@@ -133,9 +86,6 @@ final class CarrierThread extends LoopThread {
         StageWorker<?> stage = slot;
         if (stage != null) {
             slot = null;
-            if (disappointed) {
-                disappointed = false;
-            }
         }
         while (stage != null) {
             stage = stage.runGiven();

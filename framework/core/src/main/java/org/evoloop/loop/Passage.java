@@ -83,12 +83,6 @@ final class Passage<O, A, P> {
         sequencer.setAnalyze(nowAnalyze);
         plan = nowPlan;
         executes = List.copyOf(nowExecutes);
-        if (nowAnalyze != null) {
-            nowAnalyze.precede(nowPlan);
-        }
-        if (nowPlan != null) {
-            nowPlan.precede(nowExecutes.isEmpty() ? null : nowExecutes.get(0));
-        }
         List<Execute<P>> order = new ArrayList<>();
         for (StageWorker<P> worker : nowExecutes) {
             order.add((Execute<P>) worker.component());

@@ -31,7 +31,7 @@ final class Sequencer<O> {
     private boolean held;
     private boolean breakingOff;
     private boolean stepping;
-    private volatile @Nullable StageWorker<O> analyze;
+    private @Nullable StageWorker<O> analyze;
     private long cycle;
     private @Nullable O occurrence;
     private volatile @Nullable StageWorker<?> busy;
@@ -55,7 +55,6 @@ final class Sequencer<O> {
     boolean offer(O offered) {
         Intake.Admission admission = intake.atOnce(offered);
         if (admission == null) {
-            rouse();
             lock.acquire();
             try {
                 admission = intake.offer(offered);
@@ -68,14 +67,6 @@ final class Sequencer<O> {
             listener.dropped(offered, admission == Intake.Admission.FIRST_DROPPED);
         }
         return admission == Intake.Admission.TAKEN;
-    }
-
-    /** If the loop is idle, what is offered probably begins at once. */
-    private void rouse() {
-        StageWorker<O> first = analyze;
-        if (first != null && busy == null && state == LoopState.RUNNING) {
-            first.rouse();
-        }
     }
 
     /** Queues an occurrence, waiting for room if it must; false if the loop closes meanwhile. */

@@ -55,21 +55,6 @@ final class StageWorker<I> extends Worker {
         return by;
     }
 
-    /** It will probably be given work soon. */
-    void rouse() {
-        CarrierThread by = carrier();
-        if (by != null) {
-            by.rouse();
-        }
-    }
-
-    /** Sets the component that usually works next. */
-    void precede(@Nullable StageWorker<?> next) {
-        if (own != null) {
-            own.precede(next == null ? null : next.own);
-        }
-    }
-
     private @Nullable CarrierThread carrier() {
         return own == null ? crew.shared() : own;
     }
