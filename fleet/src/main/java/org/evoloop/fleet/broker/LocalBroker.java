@@ -71,9 +71,9 @@ public final class LocalBroker implements AutoCloseable {
     }
 
     /**
-     * Lets the controller alone forget the broker of an earlier run. Otherwise a killed broker counts as running until its
-     * session ends, so this one leads its partitions at once, and then no longer, for a moment. In this moment Kafka 4.3.1
-     * takes the partitions for deleted and drops the ends of their transactions, which stay open forever (KAFKA-20734).
+     * Starts only the controller and has it forget the broker of an earlier run. A killed broker otherwise counts as
+     * running until its session ends, and then its partitions have no leader for a moment. Kafka 4.3.1 takes them for
+     * deleted then and drops the ends of their transactions, which stay open forever (KAFKA-20734).
      */
     private static void unregister(Properties settings, int controllerPort) {
         Properties alone = new Properties();

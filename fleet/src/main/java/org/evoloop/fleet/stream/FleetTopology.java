@@ -123,8 +123,7 @@ public final class FleetTopology {
         @Override
         public void process(Record<String, byte[]> record) {
             if (record.key() == null) {
-                // A compacted topic has no such records, but somebody may have made it without. A failure would end
-                // all.
+                // Only a topic that was created without compaction can have one. An exception would end the instance.
                 LOG.error("a record for {} is ignored: it has no key", name);
                 return;
             }

@@ -46,8 +46,8 @@ final class RolloutWatch implements Processor<String, byte[], String, byte[]> {
     @Override
     public void process(Record<String, byte[]> record) {
         if (record.key() == null || record.value() == null || record.value().length != 2 * Long.BYTES) {
-            // Thrown here, it would be read again and again.
-            LOG.error("a record of {} is ignored: no result of this program", Topic.VERDICTS);
+            // After an exception the record would be read again and again.
+            LOG.error("a record of {} is ignored: this program did not write it", Topic.VERDICTS);
             return;
         }
         byte[] published = rollouts.get(record.key());

@@ -183,7 +183,7 @@ final class Json {
         plain(String.format("\\u%04x", (int) each));
     }
 
-    /** UTF-8 lacks half a character, which a string may contain by an escape; it is written as one. */
+    /** UTF-8 cannot express half of a surrogate pair, which an escape in a record may have; it is written as one, too. */
     private void other(String words) {
         int at = 0;
         while (at < words.length()) {

@@ -105,13 +105,13 @@ public record ModelRecord(
         Map<State, Map<Event, Duration>> byState = new HashMap<>();
         for (State state : pair.evolved().states()) {
             Map<Event, Duration> own = timers(pair.evolved(), state);
-            own.forEach((event, time) -> requireLikely(state, event, time));
+            own.forEach((event, time) -> requireInRange(state, event, time));
             byState.put(state, own);
         }
         return new Rules(table, state -> byState.getOrDefault(state, Map.of()), queueCapacity);
     }
 
-    private static void requireLikely(State state, Event event, Duration time) {
+    private static void requireInRange(State state, Event event, Duration time) {
         if (time.isNegative() || time.compareTo(LONGEST) > 0) {
             throw new ModelException("the timer " + event + " of the state " + state.name() + " is " + time
                     + "; allowed is 0 to 100 years");

@@ -89,12 +89,12 @@ final class Lives {
         }
     }
 
-    /** Waits until all that a process has written is heard, and fails if any of it must not have been. */
+    /** Waits until all that a process wrote has been read; fails if a line was wrong. */
     private void awaitLastWords(Thread reader) throws InterruptedException {
         reader.join();
-        Throwable cause = misheard;
-        if (cause != null) {
-            throw new AssertionError("a line of the converter", cause);
+        AssertionError wrong = misheard;
+        if (wrong != null) {
+            throw wrong;
         }
     }
 
@@ -116,7 +116,9 @@ final class Lives {
                 for (String line = lines.readLine(); line != null; line = lines.readLine()) {
                     hear(line, replies, started);
                 }
-            } catch (IOException | AssertionError e) {
+            } catch (IOException closed) {
+                // The pipe of a process that has ended may close during a read.
+            } catch (AssertionError e) {
                 misheard = e;
                 process.toHandle().destroyForcibly();
             } finally {
@@ -172,7 +174,7 @@ final class Lives {
     private int evolutions;
     private int evolved;
 
-    private volatile @Nullable Throwable misheard;
+    private volatile @Nullable AssertionError misheard;
 
     /** The last life, which ends when nothing waits. */
     void liveToTheEnd() throws Exception {

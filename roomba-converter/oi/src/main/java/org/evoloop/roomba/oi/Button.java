@@ -27,7 +27,7 @@ public enum Button {
     /** Sets the clock. */
     CLOCK(7);
 
-    /** {@link #values()} makes a copy, which would be one for each frame. */
+    /** Read in each frame; {@link #values()} makes a copy at each call. */
     private static final Button[] ALL = values();
 
     private final int bit;

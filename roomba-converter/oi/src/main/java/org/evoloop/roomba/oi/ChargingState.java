@@ -21,7 +21,7 @@ public enum ChargingState {
     /** Cannot charge. */
     FAULT(5);
 
-    /** By code. One is looked up in each frame, and {@link #values()} makes a copy. */
+    /** By code. Read in each frame; {@link #values()} makes a copy at each call. */
     private static final ChargingState[] BY_CODE = values();
 
     private final int code;

@@ -17,7 +17,7 @@ public enum OiMode {
     /** Full control without any protection. */
     FULL(3);
 
-    /** By code. Several modes are looked up in each frame, and {@link #values()} makes a copy. */
+    /** By code. Read several times a frame; {@link #values()} makes a copy at each call. */
     private static final OiMode[] BY_CODE = values();
 
     private final int code;

@@ -19,8 +19,8 @@ public record Circumstances(boolean asleep, boolean inTrouble, boolean docked, b
 
     static final Circumstances ASLEEP = new Circumstances(true, false, false, false);
 
-    // Compared in each frame. The methods that Java generates use method handles, which the C1 compiler makes slow code
-    // of.
+    // Compared in each frame. The methods that Java generates are slow unless the JVM's last compiler has compiled
+    // them.
 
     @Override
     public boolean equals(@Nullable Object other) {
