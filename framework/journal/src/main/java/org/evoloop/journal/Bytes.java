@@ -62,6 +62,11 @@ final class Bytes {
 
     /** A text that is unlikely to be repeated. */
     void text(String text) {
+        // Most events have no reason to write, and the code that encodes a text is rarely called.
+        if (text.isEmpty()) {
+            number(0);
+            return;
+        }
         byte[] encoded = text.getBytes(StandardCharsets.UTF_8);
         number(encoded.length);
         for (byte each : encoded) {

@@ -78,8 +78,18 @@ final class Segment implements AutoCloseable {
         if (length > Frame.MOST_BYTES || Frame.padded(length) > map.capacity() - payload) {
             return false;
         }
-        map.put(payload, bytes, 0, length);
-        Frame.finish(map, at, Frame.header(length, Frame.crcOf(bytes, 0, length)));
+        int crc;
+        if (length <= Frame.SHORT_BYTES) {
+            // One byte at a time: the code of a bulk put has left the processor's caches when a rare event needs it.
+            for (int index = 0; index < length; index++) {
+                map.put(payload + index, bytes[index]);
+            }
+            crc = Frame.crcOfShort(bytes, length);
+        } else {
+            map.put(payload, bytes, 0, length);
+            crc = Frame.crcOf(bytes, 0, length);
+        }
+        Frame.finish(map, at, Frame.header(length, crc));
         end = payload + Frame.padded(length);
         return true;
     }
