@@ -108,8 +108,11 @@ final class RobotReader implements ConnectionOwner {
     private void take(byte[] buffer, int length) {
         for (SensorValues reported : frames(buffer, length)) {
             for (Button button : look(reported)) {
-                // Without the monitor: the thread that handles the press needs it, to send a command.
-                listeners.forEach(listener -> listener.pressed(button, false));
+                // Without the monitor: the thread that handles the press needs it, to send a command. And without a
+                // lambda, whose making is interpreted for as long as presses are rare.
+                for (SessionListener listener : listeners) {
+                    listener.pressed(button, false);
+                }
             }
         }
     }
@@ -130,7 +133,9 @@ final class RobotReader implements ConnectionOwner {
         // Publish the telemetry before completing the first answer: threads that wait for the answer read it.
         latest = now;
         connection.answered();
-        listeners.forEach(listener -> listener.received(now));
+        for (SessionListener listener : listeners) {
+            listener.received(now);
+        }
         Command obeyed = effect.update(values, now.isUnderControl());
         if (obeyed != null) {
             listeners.forEach(listener -> listener.obeyed(obeyed));
@@ -206,7 +211,9 @@ final class RobotReader implements ConnectionOwner {
     }
 
     private void robotActsOn(Button button) {
-        listeners.forEach(listener -> listener.pressed(button, true));
+        for (SessionListener listener : listeners) {
+            listener.pressed(button, true);
+        }
         reportAgain |= undocking.giveUp();
         estimate.pressed(button);
         if (estimate.activity() == EstimatedActivity.SPOT) {
