@@ -30,13 +30,14 @@ public final class PressToCommand {
     private PressToCommand() {}
 
     /**
-     * Prints the medians and the 99th percentiles in microseconds.
+     * Prints the medians and the 99th percentiles in microseconds, and what a {@link PageProbe} found.
      *
      * @param arguments the minimum number of commands that are counted of each way
      */
     public static void main(String[] arguments) throws IOException, InterruptedException {
         int wanted = Integer.parseInt(arguments[0]);
         Map<PressWay, Histogram> nanos = new EnumMap<>(PressWay.class);
+        PageProbe pages = new PageProbe();
         try (TemporaryFolder folder = TemporaryFolder.create();
                 Clock clock = new SystemClock(SPEED);
                 Clock robotClock = new SystemClock();
@@ -44,19 +45,21 @@ public final class PressToCommand {
                         folder.path().resolve("roomba"), RobotOptions.defaults(), robotClock, SPEED)) {
             // The first turns, in which code is loaded and compiled, are not counted.
             for (PressWay way : PressWay.values()) {
-                turn(way, robot, folder.path(), clock, Latencies.histogram());
+                turn(way, robot, folder.path(), clock, Latencies.histogram(), pages);
                 nanos.put(way, Latencies.histogram());
             }
             while (nanos.values().stream().anyMatch(each -> each.getTotalCount() < wanted)) {
                 for (Map.Entry<PressWay, Histogram> each : nanos.entrySet()) {
-                    turn(each.getKey(), robot, folder.path(), clock, each.getValue());
+                    turn(each.getKey(), robot, folder.path(), clock, each.getValue(), pages);
                 }
             }
         }
         nanos.forEach((way, each) -> Latencies.print(way.name(), each));
+        System.out.println("slow pages " + pages.slowPercent());
     }
 
-    private static void turn(PressWay way, SimulatorServer robot, Path folder, Clock clock, Histogram nanos)
+    private static void turn(
+            PressWay way, SimulatorServer robot, Path folder, Clock clock, Histogram nanos, PageProbe pages)
             throws IOException, InterruptedException {
         WorldCommands world = new WorldCommands(robot);
         try (Answerer answerer = way.open(robot.path(), folder, clock, nanos)) {
@@ -66,6 +69,7 @@ public final class PressToCommand {
                 while (answerer.answered() == before) {
                     clock.sleep(LOOK);
                 }
+                pages.touch();
                 clock.sleep(REST);
             }
         }

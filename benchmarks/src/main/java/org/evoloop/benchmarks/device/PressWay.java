@@ -103,7 +103,7 @@ enum PressWay {
                         "us",
                         carrier,
                         Row.Goal.atMostTimes(6, direct, bare),
-                        Map.of(relayed, threads)),
+                        Map.of(relayed, threads, "pages gone after a pause, %", measured.get("slow pages"))),
                 new Row(
                         "button to command, added by us, 99th percentile",
                         "us",

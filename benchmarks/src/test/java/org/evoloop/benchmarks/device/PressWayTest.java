@@ -21,6 +21,7 @@ class PressWayTest {
                 THREADS p99 %d
                 JOURNAL_BY_BATCH p50 %d
                 JOURNAL_PER_INTENT p50 %d
+                slow pages 0.5
                 """, carrier, 5 * carrier, threads, 6 * threads, byBatch, perIntent)));
     }
 
