@@ -61,8 +61,7 @@ class CameraPageTest {
                 }
                 OtherRobot.type(converter, "stop\n");
                 browser.await(CAMERA + ".innerText.includes('The next picture is taken when')");
-                assertThat(browser.evaluate(CAMERA + ".querySelector('img').naturalWidth"))
-                        .isEqualTo("640");
+                browser.await(CAMERA + ".querySelector('img').naturalWidth === 640");
                 assertThat(Files.readString(log)).doesNotContain("secret");
             } finally {
                 converter.destroyForcibly().onExit().join();

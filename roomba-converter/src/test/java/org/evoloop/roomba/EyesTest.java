@@ -24,6 +24,8 @@ import org.junit.jupiter.api.Timeout;
 /** What viewers see of a camera that Move uses, from before its first picture until long after its last. */
 @Timeout(60)
 class EyesTest {
+    private static final Duration LIMIT = Duration.ofSeconds(30);
+
     private final ManualClock viewers = new ManualClock();
 
     private Eyes eyes(String url) {
@@ -48,7 +50,7 @@ class EyesTest {
 
             StartPointSensor sensor = eyes.apply(clock);
             try (sensor) {
-                await().until(() -> picture.view().get().content().length > 0);
+                await().atMost(LIMIT).until(() -> picture.view().get().content().length > 0);
                 Picture.View live = picture.view().get();
                 assertThat(live.note()).isEqualTo("Taken 0.0 s ago.");
                 assertThat(ImageIO.read(new ByteArrayInputStream(live.content()))
@@ -69,12 +71,14 @@ class EyesTest {
         try (Clock clock = new SystemClock()) {
             Eyes eyes = eyes("http://me:secret@127.0.0.1:1/stream");
             try (StartPointSensor sensor = eyes.apply(clock)) {
-                await().until(() -> eyes.picture()
-                        .view()
-                        .get()
-                        .note()
-                        .startsWith("No picture yet: camera http://***@127.0.0.1:1/"));
-                await().until(() -> !sensor.look(null, 0).health().reason().endsWith("is being opened"));
+                await().atMost(LIMIT)
+                        .until(() -> eyes.picture()
+                                .view()
+                                .get()
+                                .note()
+                                .startsWith("No picture yet: camera http://***@127.0.0.1:1/"));
+                await().atMost(LIMIT)
+                        .until(() -> !sensor.look(null, 0).health().reason().endsWith("is being opened"));
                 assertThat(eyes.picture().view().get().note())
                         .doesNotContain("secret")
                         .endsWith(".");

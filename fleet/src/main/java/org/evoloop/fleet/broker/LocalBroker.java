@@ -13,6 +13,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Properties;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ThreadLocalRandom;
+import java.util.concurrent.atomic.AtomicInteger;
 import kafka.server.KafkaConfig;
 import kafka.server.KafkaRaftServer;
 import org.apache.kafka.clients.admin.Admin;
@@ -34,6 +36,10 @@ public final class LocalBroker implements AutoCloseable {
     private static final int NODE = 1;
     private static final String FORMATTED = "meta.properties";
     private static final long ELECTION_MILLIS = 100;
+    private static final int FIRST_PORT = 20_000;
+    private static final int PORTS = 12_000;
+    private static final AtomicInteger NEXT_PORT =
+            new AtomicInteger(ThreadLocalRandom.current().nextInt(PORTS));
 
     private final KafkaRaftServer server;
     private final String bootstrap;
@@ -157,11 +163,22 @@ public final class LocalBroker implements AutoCloseable {
         }
     }
 
-    /** A port of this computer that is free now; another program may take it before it is used. */
+    /**
+     * A port of this computer that is free now; another program may take it before it is used. It is none of those that
+     * systems give to connections: while the broker is stopped, no connection takes its port, not even that of a client
+     * that tries to reach it.
+     */
     public static int freePort() throws IOException {
-        try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            return socket.getLocalPort();
+        IOException taken = new IOException("none was tried");
+        for (int tries = 0; tries < PORTS; tries++) {
+            int port = FIRST_PORT + Math.floorMod(NEXT_PORT.getAndIncrement(), PORTS);
+            try (ServerSocket socket = new ServerSocket(port, 1, InetAddress.getLoopbackAddress())) {
+                return socket.getLocalPort();
+            } catch (IOException next) {
+                taken = next;
+            }
         }
+        throw taken;
     }
 
     /** Its address for clients, as HOST:PORT. */

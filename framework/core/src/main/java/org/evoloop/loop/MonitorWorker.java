@@ -84,7 +84,11 @@ final class MonitorWorker<O> extends Worker {
      * other must not keep a processor busy.
      */
     private void rest(long askedNanos) {
-        idle = thread != null && System.nanoTime() - askedNanos < WAITS_NANOS ? idle + 1 : 0;
+        if (thread == null) {
+            // Who takes the steps decides when the next one is.
+            return;
+        }
+        idle = System.nanoTime() - askedNanos < WAITS_NANOS ? idle + 1 : 0;
         if (idle <= PATIENCE) {
             LoopThread.giveWay();
             return;

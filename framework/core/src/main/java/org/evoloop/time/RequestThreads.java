@@ -43,6 +43,11 @@ public final class RequestThreads implements Executor, AutoCloseable {
      * @param clock in real time; it stays open
      */
     public RequestThreads(String name, int most, Duration limit, Clock clock) {
+        this(name, most, limit, clock, Duration.ofMillis(HANDOVER_MILLIS));
+    }
+
+    /** @param handover how long a request waits for a thread, also if none becomes free */
+    RequestThreads(String name, int most, Duration limit, Clock clock, Duration handover) {
         this.name = name;
         this.limit = limit;
         this.clock = clock;
@@ -53,13 +58,13 @@ public final class RequestThreads implements Executor, AutoCloseable {
                 TimeUnit.SECONDS,
                 new SynchronousQueue<>(),
                 task -> Threads.daemon(name, task),
-                RequestThreads::handOver);
+                (request, pool) -> handOver(request, pool, handover));
     }
 
-    private static void handOver(Runnable request, ThreadPoolExecutor threads) {
+    private static void handOver(Runnable request, ThreadPoolExecutor threads, Duration limit) {
         boolean taken = false;
         try {
-            taken = !threads.isShutdown() && threads.getQueue().offer(request, HANDOVER_MILLIS, TimeUnit.MILLISECONDS);
+            taken = !threads.isShutdown() && threads.getQueue().offer(request, limit.toNanos(), TimeUnit.NANOSECONDS);
         } catch (InterruptedException end) {
             Thread.currentThread().interrupt();
         }

@@ -84,7 +84,8 @@ class ExchangeTest {
 
     @Test
     void interruptsAComponentThatHangsWhenItIsExchanged() throws InterruptedException {
-        Relay relay = Relay.running(threading, SHORT);
+        // The interrupted thread has as long to return; on a busy machine it gets no processor time for a while.
+        Relay relay = Relay.running(threading, Duration.ofSeconds(1));
         Relay.Hand hanging = relay.new Hand("hanging");
         try (relay) {
             relay.loop.exchange("hand", hanging);

@@ -262,6 +262,7 @@ class HttpMonitorTest {
             }
         }
         Awaitility.await()
+                .atMost(Lamp.PATIENCE)
                 .ignoreExceptionsInstanceOf(IOException.class)
                 .until(() -> status(to("/switch").POST(body(""))) == 204);
     }

@@ -16,6 +16,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.regex.Pattern;
 import org.evoloop.Logged;
 import org.evoloop.function.Reading;
+import org.evoloop.time.Attempts;
+import org.evoloop.time.ManualClock;
 import org.evoloop.time.SystemClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -91,17 +93,38 @@ class LineConnectionTest {
 
     @Test
     void aServerThatHangsIsAskedAndThenLeft() throws Exception {
-        connection.watch(Duration.ofMillis(100), "alive?");
-        connection.open();
-        server.client();
-        assertThat(server.nextLine()).isEqualTo("alive?");
-        Socket second = server.client();
-        assertThat(connection.describe()).isNotEmpty();
-        server.answers.put("alive?", "yes");
-        for (int i = 0; i < 5; i++) {
+        Duration limit = Duration.ofMillis(100);
+        try (ManualClock time = new ManualClock();
+                LineConnection watched = new LineConnection(server.transport(), time)) {
+            watched.watch(limit, "alive?");
+            watched.listen(received::add);
+            watched.open();
+            server.client();
+            awaitTimer(time);
+            time.advance(limit);
             assertThat(server.nextLine()).isEqualTo("alive?");
+            time.advance(limit);
+            await().atMost(PATIENCE).until(() -> !watched.isUp());
+            assertThat(watched.describe()).contains("'alive?' not answered");
+
+            server.answers.put("alive?", "yes");
+            awaitTimer(time);
+            time.advance(Attempts.FIRST);
+            server.client();
+            for (int i = 0; i < 5; i++) {
+                awaitTimer(time);
+                time.advance(limit);
+                assertThat(server.nextLine()).isEqualTo("alive?");
+                assertThat(next()).isEqualTo("yes");
+                time.advance(limit);
+            }
+            assertThat(watched.isUp()).isTrue();
         }
-        assertThat(second.isClosed()).isFalse();
+    }
+
+    /** What happens next is what the timer makes happen. */
+    private static void awaitTimer(ManualClock time) {
+        await().atMost(PATIENCE).until(() -> time.pendingTasks() == 1);
     }
 
     @Test

@@ -11,7 +11,7 @@ import java.util.concurrent.TimeoutException;
 
 /** Reads a link and records what was received. */
 class Listener {
-    static final long PATIENCE_SECONDS = 10;
+    static final long PATIENCE_SECONDS = 30;
 
     private final ByteArrayOutputStream received = new ByteArrayOutputStream();
     private final CompletableFuture<LinkException> lost = new CompletableFuture<>();

@@ -123,7 +123,7 @@ class PtyTest {
                 return result;
             });
             pty.hangUp();
-            assertThat(waiting.get(5, TimeUnit.SECONDS)).isEqualTo(Pty.NO_CLIENT);
+            assertThat(waiting.get(20, TimeUnit.SECONDS)).isEqualTo(Pty.NO_CLIENT);
             assertThatThrownBy(() -> client.write(1)).isInstanceOf(IOException.class);
             assertThat(pty.write(new byte[1], 1)).isZero();
             assertThat(pty.clientBaud()).isZero();

@@ -68,6 +68,10 @@ class ViewersTest {
 
     @BeforeEach
     void open() throws IOException {
+        // A page does not wait for its threads when it is closed.
+        Awaitility.await()
+                .atMost(LIMIT)
+                .untilAsserted(() -> assertThat(threads()).isEmpty());
         shown = new Shown();
         shown.converter.start();
     }

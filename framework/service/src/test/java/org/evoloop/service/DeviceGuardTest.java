@@ -107,7 +107,10 @@ class DeviceGuardTest {
             await().until(() ->
                     guard.describe().startsWith("guarded") && !guard.describe().endsWith(" " + first.pid()));
         }
-        assertThat(mark()).doesNotExist();
+        // If this process gets no processor time for half a second, its device is rightly made safe.
+        if (device.reasons.isEmpty()) {
+            assertThat(mark()).doesNotExist();
+        }
     }
 
     @Test

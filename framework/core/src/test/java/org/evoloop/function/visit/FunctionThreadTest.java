@@ -20,10 +20,12 @@ class FunctionThreadTest {
     @Test
     void isNamedAfterItsVisitAndEndsWithIt() throws InterruptedException {
         BlockingQueue<String> fates = new LinkedBlockingQueue<>();
+        // It is waited for as long as it takes.
+        FunctionRunner patient = new FunctionRunner(log, Duration.ofSeconds(30));
         HostedVisit visit = log.visit();
-        runner.begin(visit);
-        assertThat(runner.running()).isNull();
-        runner.run(running -> {
+        patient.begin(visit);
+        assertThat(patient.running()).isNull();
+        patient.run(running -> {
             threads.add(Thread.currentThread());
             try {
                 running.sleep(Duration.ofHours(1));
@@ -33,16 +35,16 @@ class FunctionThreadTest {
             }
         });
         Thread thread = take(threads);
-        assertThat(thread.getName()).isEqualTo("function-Move-1").isEqualTo(runner.threadName());
+        assertThat(thread.getName()).isEqualTo("function-Move-1").isEqualTo(patient.threadName());
         assertThat(thread.isDaemon()).isTrue();
-        assertThat(runner.running()).isSameAs(visit);
+        assertThat(patient.running()).isSameAs(visit);
 
-        runner.end();
-        runner.end();
+        patient.end();
+        patient.end();
         assertThat(take(fates)).isEqualTo("interrupted");
         assertThat(thread.isAlive()).isFalse();
-        assertThat(runner.running()).isNull();
-        assertThat(runner.threadName()).isEmpty();
+        assertThat(patient.running()).isNull();
+        assertThat(patient.threadName()).isEmpty();
         assertThat(log.failures).isEmpty();
         assertThat(log.clock.pendingTasks()).isZero();
     }

@@ -77,7 +77,9 @@ class SimulatedRoombaExtensionTest {
     }
 
     @Test
-    void aConditionThatNeverHoldsIsReportedWithTheRobotsState() {
+    void aConditionThatNeverHoldsIsReportedWithTheRobotsState() throws Exception {
+        // The first state comes with the robot's first tick.
+        roomba.until(robot -> true);
         roomba.patience(Duration.ofMillis(50));
         assertThatThrownBy(() -> roomba.until(robot -> robot.xMm() > 1e9))
                 .isInstanceOf(AssertionError.class)

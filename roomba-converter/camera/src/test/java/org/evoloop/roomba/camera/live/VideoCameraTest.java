@@ -64,7 +64,8 @@ class VideoCameraTest {
     @Test
     void seesTheMarkerOverHttp() throws IOException {
         try (HttpCamera server = new HttpCamera();
-                VideoCamera camera = open(server.url())) {
+                VideoCamera camera = open(
+                        CameraSettings.of(CameraSource.parse(server.url())).withStaleAfter(Duration.ofSeconds(30)))) {
             server.repeat(MARKER);
 
             Look look = awaitMarker(camera);
@@ -213,7 +214,7 @@ class VideoCameraTest {
                         open(CameraSettings.of(CameraSource.parse(server.url())).withRecord(video))) {
             server.repeat(MARKER);
             awaitMarker(camera);
-            await().until(() -> camera.newest().frame() > 20);
+            await().atMost(20, TimeUnit.SECONDS).until(() -> camera.newest().frame() > 20);
         }
         try (VideoCamera camera = open(video.toString())) {
             awaitState(camera, Condition.GONE);

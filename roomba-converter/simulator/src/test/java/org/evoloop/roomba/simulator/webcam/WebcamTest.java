@@ -45,6 +45,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 @Timeout(60)
 class WebcamTest {
+    private static final Duration LIMIT = Duration.ofSeconds(40);
     private static final EyeOptions SMALL = EyeOptions.defaults().withSize(160, 120);
     private static final WebcamOptions CAMERA = WebcamOptions.defaults().withEye(SMALL);
     private static final Room ROOM = RandomRooms.withMarker(3);
@@ -138,7 +139,7 @@ class WebcamTest {
     /** Lets time pass until a viewer has this many more pictures. */
     private void untilSeen(Viewer viewer, int more) {
         int wanted = viewer.pictures.size() + more;
-        await().pollInterval(Duration.ofMillis(1)).until(() -> {
+        await().atMost(LIMIT).pollInterval(Duration.ofMillis(1)).until(() -> {
             ticks(3);
             return viewer.pictures.size() >= wanted;
         });
@@ -381,7 +382,8 @@ class WebcamTest {
                 // As expected.
             }
         }
-        await().ignoreExceptionsInstanceOf(IOException.class)
+        await().atMost(LIMIT)
+                .ignoreExceptionsInstanceOf(IOException.class)
                 .until(() -> http.send(request("/"), BodyHandlers.ofString()).statusCode() == 200);
     }
 
