@@ -3,8 +3,10 @@ package org.evoloop.fleet.stream;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import org.apache.kafka.streams.KeyValue;
 import org.apache.kafka.streams.state.KeyValueIterator;
@@ -25,6 +27,10 @@ final class Rollouts {
     private final Library library;
     private final Map<String, byte[]> seen = new HashMap<>();
     private final Map<String, Rollout> all = new TreeMap<>();
+
+    /** Those whose models are not there yet. */
+    private final Set<String> waiting = new HashSet<>();
+
     private final Map<String, Model.Takeover> takeovers = new HashMap<>();
 
     Rollouts(ReadOnlyKeyValueStore<String, byte[]> published, Library library) {
@@ -32,31 +38,51 @@ final class Rollouts {
         this.library = library;
     }
 
-    /** Reads them again; returns whether one has changed. */
+    /** Reads them again; returns whether one has begun or changed. */
     boolean refresh() {
         boolean changed = false;
+        Set<String> deleted = new HashSet<>(seen.keySet());
         try (KeyValueIterator<String, byte[]> each = published.all()) {
             while (each.hasNext()) {
                 KeyValue<String, byte[]> next = each.next();
-                if (!Arrays.equals(seen.put(next.key, next.value), next.value)) {
-                    read(next.key, next.value);
-                    changed = true;
+                deleted.remove(next.key);
+                boolean isNew = !Arrays.equals(seen.get(next.key), next.value);
+                if (isNew || waiting.contains(next.key)) {
+                    forget(next.key);
+                    seen.put(next.key, next.value);
+                    changed |= read(next.key, next.value, isNew);
                 }
             }
         }
+        deleted.forEach(this::forget);
         return changed;
     }
 
-    private void read(String name, byte[] record) {
-        takeovers.clear();
+    /** Returns whether it is in effect now, or was ignored; false while it still waits for its models. */
+    private boolean read(String name, byte[] record, boolean isNew) {
         try {
             Rollout rollout = Rollout.read(name, record);
-            all.put(name, rollout);
             takeover(rollout);
+            all.put(name, rollout);
+            return true;
         } catch (Refusal | ModelException e) {
-            all.remove(name);
-            LOG.error("the rollout {} is ignored: {}", name, e.getMessage());
+            boolean waits = e instanceof Refusal refusal && refusal.reason() == Refusal.Reason.UNKNOWN_MODEL;
+            if (waits) {
+                // Its models may have been published before it: records of two topics come in any order.
+                waiting.add(name);
+            }
+            if (isNew) {
+                LOG.error("the rollout {} {}: {}", name, waits ? "waits" : "is ignored", e.getMessage());
+            }
+            return !waits;
         }
+    }
+
+    private void forget(String name) {
+        seen.remove(name);
+        waiting.remove(name);
+        all.remove(name);
+        takeovers.remove(name);
     }
 
     /** The switch due at {@code device}, which has the models {@code version}; null if there is none. */

@@ -3,13 +3,23 @@ package org.evoloop.fleet.stream;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
+import java.util.Properties;
 import java.util.stream.IntStream;
+import org.apache.kafka.common.serialization.ByteArraySerializer;
+import org.apache.kafka.common.serialization.StringDeserializer;
+import org.apache.kafka.common.serialization.StringSerializer;
+import org.apache.kafka.streams.StreamsConfig;
+import org.apache.kafka.streams.TestOutputTopic;
+import org.apache.kafka.streams.TopologyTestDriver;
 import org.evoloop.fleet.Models;
 import org.evoloop.fleet.TopicRecords;
 import org.evoloop.fleet.device.Answer;
 import org.evoloop.fleet.wire.Rollout;
 import org.evoloop.fleet.wire.Topic;
+import org.evoloop.fleet.wire.Wire;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -17,6 +27,8 @@ import org.junit.jupiter.api.io.TempDir;
 class RolloutTest {
     private static final List<String> DEVICES =
             IntStream.range(0, 40).mapToObj(each -> "lamp-" + each).toList();
+
+    private static final Rollout ALL = new Rollout("all", "lamp-1", "lamp-2", 100, "", 5, 20, "");
 
     @TempDir
     private Path directory;
@@ -67,5 +79,64 @@ class RolloutTest {
             before = taken;
         }
         assertThat(before).isEqualTo(many.size());
+    }
+
+    /** A fleet in Kafka Streams' own broker for tests, where records arrive in the order of this program. */
+    private static final class DrivenFleet implements AutoCloseable {
+        private final FleetSettings settings = FleetSettings.defaults().withDevicesInMemory();
+        private final TopologyTestDriver driver = new TopologyTestDriver(FleetTopology.of(settings), properties());
+        private final TestOutputTopic<String, String> states = driver.createOutputTopic(
+                Topic.STATES.of(settings.fleet()), new StringDeserializer(), new StringDeserializer());
+
+        private Properties properties() {
+            Properties properties = new Properties();
+            properties.put(StreamsConfig.APPLICATION_ID_CONFIG, settings.fleet());
+            return properties;
+        }
+
+        /** Writes a record, and gives the fleet the time to look at its rollouts and at idle devices. */
+        void write(Topic topic, String key, byte @Nullable [] record) {
+            driver.createInputTopic(topic.of(settings.fleet()), new StringSerializer(), new ByteArraySerializer())
+                    .pipeInput(key, record);
+            driver.advanceWallClockTime(Duration.ofSeconds(1));
+            driver.advanceWallClockTime(Duration.ofSeconds(1));
+        }
+
+        String stateOf(String device) {
+            return states.readKeyValuesToMap().getOrDefault(device, "");
+        }
+
+        @Override
+        public void close() {
+            driver.close();
+        }
+    }
+
+    @Test
+    void aRolloutThatComesBeforeItsModelsWaitsForThem() {
+        try (DrivenFleet fleet = new DrivenFleet()) {
+            fleet.write(Topic.MODELS, "lamp-1", Models.LAMP.bytes());
+            fleet.write(Topic.DEVICES, "hall", Wire.device("lamp-1"));
+            fleet.write(Topic.ROLLOUTS, "all", ALL.bytes());
+            assertThat(fleet.stateOf("hall")).contains("\"model\":\"lamp-1\"");
+
+            fleet.write(Topic.MODELS, "lamp-2", Models.lamp(1_000).bytes());
+            assertThat(fleet.stateOf("hall")).contains("\"model\":\"lamp-2\"");
+        }
+    }
+
+    @Test
+    void aDeletedRolloutTakesInNoMoreDevices() {
+        try (DrivenFleet fleet = new DrivenFleet()) {
+            fleet.write(Topic.MODELS, "lamp-1", Models.LAMP.bytes());
+            fleet.write(Topic.MODELS, "lamp-2", Models.lamp(1_000).bytes());
+            fleet.write(Topic.ROLLOUTS, "all", ALL.bytes());
+            fleet.write(Topic.DEVICES, "hall", Wire.device("lamp-1"));
+            assertThat(fleet.stateOf("hall")).contains("\"model\":\"lamp-2\"");
+
+            fleet.write(Topic.ROLLOUTS, "all", null);
+            fleet.write(Topic.DEVICES, "kitchen", Wire.device("lamp-1"));
+            assertThat(fleet.stateOf("kitchen")).contains("\"model\":\"lamp-1\"");
+        }
     }
 }
