@@ -19,6 +19,7 @@ import org.evoloop.function.Reading;
 import org.evoloop.mqtt.BrokerAddress;
 import org.evoloop.mqtt.BrokerConnection;
 import org.evoloop.mqtt.Message;
+import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.State;
 import org.evoloop.time.Clock;
 import org.evoloop.time.Threads;
@@ -246,7 +247,7 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
                 Message next = received.take();
                 try {
                     take(next, shell);
-                } catch (IllegalArgumentException unreadable) {
+                } catch (IllegalArgumentException | ModelException unreadable) {
                     ignore(next, unreadable);
                 }
             }
@@ -261,21 +262,34 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
             return;
         }
         Received record = new Received(message.payload());
-        long sequence = record.number("sequence", 0);
-        if (message.topic().equals(topic("state"))) {
+        if (message.topic().equals(topic("command"))) {
+            obey(record, shell);
+        } else if (record.number("sequence", 0) >= carried.last(id)) {
             // A state from before the last command is out of date.
-            if (sequence >= carried.last(id)) {
-                shell.stand(record.standing());
-            }
-        } else if (carried.take(id, sequence)) {
-            if (record.number("deadlineMillis", 0) < wall.millis()) {
-                answered(sequence, EdgeShell.Result.FAILED, "the command arrived after its deadline", Optional.empty());
+            shell.stand(record.standing());
+        }
+    }
+
+    private void obey(Received record, EdgeShell shell) throws InterruptedException {
+        long sequence = record.number("sequence", 0);
+        String problem = "";
+        try {
+            if (!carried.take(id, sequence)) {
                 return;
             }
-            if (!record.truth("function")) {
-                shell.leave(record.number("visit", 0));
+            if (record.number("deadlineMillis", 0) < wall.millis()) {
+                problem = "the command arrived after its deadline";
+            } else {
+                if (!record.truth("function")) {
+                    shell.leave(record.number("visit", 0));
+                }
+                carryOut(record, sequence, shell);
             }
-            carryOut(record, sequence, shell);
+        } catch (IllegalArgumentException | ModelException | UncheckedIOException e) {
+            problem = String.valueOf(e.getMessage());
+        }
+        if (!problem.isEmpty()) {
+            answered(sequence, EdgeShell.Result.FAILED, problem, Optional.empty());
         }
     }
 
@@ -290,7 +304,7 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
         }
     }
 
-    private static void ignore(Message message, IllegalArgumentException why) {
+    private static void ignore(Message message, RuntimeException why) {
         LOG.warn("a message on {} is ignored: {}", message.topic(), why.getMessage());
     }
 

@@ -1,6 +1,7 @@
 package org.evoloop.mqtt.edge;
 
 import java.util.ArrayList;
+import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -107,11 +108,10 @@ final class Json {
     }
 
     private char hexadecimal(String digits) {
-        try {
-            return (char) Integer.parseInt(digits, 16);
-        } catch (NumberFormatException noNumber) {
+        if (!digits.chars().allMatch(HexFormat::isHexDigit)) {
             throw wrong("\\u" + digits + " is not an escape sequence");
         }
+        return (char) HexFormat.fromHexDigits(digits);
     }
 
     private @Nullable Object word() {

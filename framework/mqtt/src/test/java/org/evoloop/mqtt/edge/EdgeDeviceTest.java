@@ -285,6 +285,27 @@ class EdgeDeviceTest {
     }
 
     @Test
+    void aCommandThatMakesNoSenseFailsAndTheNextOneIsCarriedOut() {
+        try (Lamp lamp = new Lamp()) {
+            awaitLink(true);
+            send("state", "{\"device\":\" \",\"system\":\"on\"}");
+            send("command", command(1, NOW.plusSeconds(9)).replace("\"off\"", "\"\""));
+            send("command", command(2, NOW.plusSeconds(9)).replace("\"send\"", "\"sing\""));
+            send("command", command(3, NOW.plusSeconds(9)).replace("\"visit\":1", "\"visit\":1.5"));
+            send("command", command(4, NOW.plusSeconds(9)));
+            await(4);
+            assertThat(lamp.edge).isNotNull();
+        }
+        assertThat(reported())
+                .extracting(each -> each.get("sequence") + " " + each.get("outcome") + " " + each.get("reason"))
+                .containsExactly(
+                        "1.0 failed a state has no name; give it one",
+                        "2.0 failed the kind of the command is 'sing'; known are send, run and locate",
+                        "3.0 failed 'visit' must be a whole number",
+                        "4.0 sent null");
+    }
+
+    @Test
     void theFunctionOfAStateRunsHere() {
         try (Lamp lamp = new Lamp()) {
             gateway.publish(Message.state(
@@ -318,7 +339,8 @@ class EdgeDeviceTest {
                 "{\"a\":" + "[".repeat(30),
                 "{\"a\":\"\\u00",
                 "{\"a\":[1 2]}",
-                "{\"a\":\"\\uzzzz\"}")) {
+                "{\"a\":\"\\uzzzz\"}",
+                "{\"a\":\"\\u+041\"}")) {
             assertThatThrownBy(() -> Json.object(wrong))
                     .as(wrong)
                     .isInstanceOf(IllegalArgumentException.class)
