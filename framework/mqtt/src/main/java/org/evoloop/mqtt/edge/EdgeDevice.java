@@ -217,6 +217,11 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
     private void confirmed(Message message) {
         try {
             long number = new Received(message.payload()).number("number", 0);
+            long last = outbox.last();
+            if (number > last) {
+                throw new IllegalArgumentException(
+                        "it confirms record " + number + ", but the last one here is " + last);
+            }
             confirmed.accumulateAndGet(number, Math::max);
         } catch (IllegalArgumentException unreadable) {
             ignore(message, unreadable);

@@ -157,6 +157,11 @@ public final class Outbox implements AutoCloseable {
         }
     }
 
+    /** The highest number so far. */
+    public synchronized long last() {
+        return number;
+    }
+
     /** How many records wait. */
     public synchronized int size() {
         return waiting.size();

@@ -197,6 +197,20 @@ class EdgeDeviceTest {
     }
 
     @Test
+    void aConfirmationOfWhatWasNeverReportedIsIgnored() {
+        try (Lamp lamp = new Lamp()) {
+            awaitLink(true);
+            send("kept", "{\"number\":9e15}");
+            lamp.panel.press("switch");
+            Path sent = directory.resolve("edge").resolve("outbox.sent");
+            Awaitility.await()
+                    .atMost(LIMIT)
+                    .until(() -> Files.exists(sent)
+                            && Files.readString(sent).strip().equals(String.valueOf(NOW.toEpochMilli() + 1)));
+        }
+    }
+
+    @Test
     void whatIsObservedIsInTheFileAtOnceSoThatAKilledProcessLosesNothing() throws Exception {
         Path killed = directory.resolve("killed");
         Path next = Files.createDirectories(directory.resolve("next"));

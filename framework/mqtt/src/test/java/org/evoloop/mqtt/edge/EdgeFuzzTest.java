@@ -133,6 +133,8 @@ class EdgeFuzzTest {
                 effect = effects.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
             }
             assertThat(effect).isNotNull();
+            String kept = "{\"number\":" + new Received(String.valueOf(effect)).number("number", 0) + "}";
+            publish("kept", kept.getBytes(StandardCharsets.UTF_8));
         }
     }
 
