@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
@@ -63,6 +64,9 @@ public final class Gateway implements AutoCloseable {
     private final BrokerConnection mqtt;
     private final Outbox outbox;
     private final Carried carried;
+    /** The highest number stored of each device that numbers its records, since the start. */
+    private final Map<String, Long> kept = new ConcurrentHashMap<>();
+
     private final CountDownLatch closing = new CountDownLatch(1);
     private final List<Thread> threads = new ArrayList<>();
     private String reported = "";
@@ -110,28 +114,42 @@ public final class Gateway implements AutoCloseable {
 
     // From the devices
 
-    /** Stores a record to be sent. A record without a time gets the current one. */
+    /** Stores a record to be sent, unless an earlier one is missing. A record without a time gets the current one. */
     private void store(Topic topic, String device, Message message) {
         String payload = message.payload().strip();
         String record = payload.startsWith("{") && !payload.contains("\"atMillis\"")
                 ? "{\"atMillis\":" + System.currentTimeMillis() + ',' + payload.substring(1)
                 : payload;
+        long number = number(record, "number");
+        if (isMissedBefore(device, number, number(record, "first"))) {
+            LOG.debug("record {} of {} is not stored: it comes again after those before it", number, device);
+            return;
+        }
         outbox.add(topic.name(), device, record);
-        acknowledge(device, record);
+        acknowledge(device, number);
+    }
+
+    /**
+     * Whether a record is missing before this one, such as one that was published before this gateway had subscribed.
+     *
+     * @param first the number of the first record that the device still has to report; 0 if it does not say
+     */
+    private boolean isMissedBefore(String device, long number, long first) {
+        return first > 0 && first < number && number > kept.getOrDefault(device, 0L) + 1;
     }
 
     /** Acknowledges a numbered record, so that the device need not send it again. */
-    private void acknowledge(String device, String record) {
-        long number = number(record);
+    private void acknowledge(String device, long number) {
         if (number > 0) {
+            kept.merge(device, number, Math::max);
             mqtt.publish(Message.command(topic(device, "kept"), "{\"schema\":1,\"number\":" + number + '}'));
         }
     }
 
-    /** The device's number of the record; 0 if it has none, or is invalid and will become a dead letter. */
-    private static long number(String record) {
+    /** A number in the record; 0 if it has none, or is invalid and will become a dead letter. */
+    private static long number(String record, String member) {
         try {
-            return Reading.of(record.getBytes(StandardCharsets.UTF_8)).number("number", 0);
+            return Reading.of(record.getBytes(StandardCharsets.UTF_8)).number(member, 0);
         } catch (Refusal unreadable) {
             LOG.debug("a device has sent an invalid record", unreadable);
             return 0;
@@ -175,7 +193,7 @@ public final class Gateway implements AutoCloseable {
     private static String numbered(Outbox.Entry entry) {
         boolean counts = entry.topic().equals(Topic.OCCURRENCES.name())
                 && entry.record().startsWith("{")
-                && number(entry.record()) == 0;
+                && number(entry.record(), "number") == 0;
         return counts ? "{\"number\":" + entry.number() + ',' + entry.record().substring(1) : entry.record();
     }
 

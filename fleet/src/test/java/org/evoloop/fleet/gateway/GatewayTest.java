@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.awaitility.Awaitility;
+import org.evoloop.fleet.Brokers;
 import org.evoloop.fleet.Cluster;
 import org.evoloop.fleet.Models;
 import org.evoloop.fleet.broker.LocalBroker;
@@ -22,7 +23,7 @@ import org.evoloop.mqtt.Mosquitto;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A lamp at a real MQTT broker, in a fleet at a real Kafka broker, which is unavailable for a while. */
+/** A lamp at a real MQTT broker, in a fleet at a real Kafka broker. */
 class GatewayTest {
     private static final String FLEET = "bridged";
     private static final Duration LIMIT = Duration.ofSeconds(90);
@@ -82,6 +83,39 @@ class GatewayTest {
         } finally {
             broker.close();
         }
+    }
+
+    /** What was published before the gateway had subscribed is lost; its device publishes it again. */
+    @Test
+    void aRecordIsNotStoredBeforeThoseThatItsDevicePublishedEarlier() throws Exception {
+        List<String> kept = new CopyOnWriteArrayList<>();
+        try (Mosquitto mosquitto = new Mosquitto(directory).start();
+                BrokerConnection device =
+                        new BrokerConnection(BrokerAddress.parse("mqtt://127.0.0.1:" + mosquitto.port()), "device");
+                Cluster cluster = new Cluster(Brokers.shared(), FLEET, 2);
+                Gateway gateway = gateway(Brokers.shared(), mosquitto)) {
+            device.subscribe("evoloop/lamp/kept", message -> kept.add(message.payload()));
+            device.open();
+            gateway.start();
+            Awaitility.await().atMost(LIMIT).until(() -> device.isUp() && gateway.reachesDevices());
+            for (String numbers : List.of(
+                    "\"number\":8,\"first\":7",
+                    "\"number\":7,\"first\":7",
+                    "\"number\":8,\"first\":7",
+                    "\"number\":8,\"first\":7",
+                    "\"number\":12,\"first\":12",
+                    "\"number\":14,\"first\":12",
+                    "\"number\":20")) {
+                device.publish(Message.event("evoloop/lamp/occurrence", "{" + numbers + ",\"event\":\"switch\"}"));
+            }
+            Awaitility.await().atMost(LIMIT).until(() -> kept.contains(kept(20)));
+            assertThat(kept).containsExactly(kept(7), kept(8), kept(8), kept(12), kept(20));
+            assertThat(cluster.fleet()).isEqualTo(FLEET);
+        }
+    }
+
+    private static String kept(int number) {
+        return "{\"schema\":1,\"number\":" + number + "}";
     }
 
     private Gateway gateway(String bootstrap, Mosquitto mosquitto) {

@@ -182,10 +182,15 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
         }
     }
 
+    /**
+     * Publishes what waits, and everything again if the first of it is not confirmed in time: other records may have
+     * been published since, which the gateway does not store as long as that one is missing.
+     */
     private void sendAll() {
         long forcedTo = 0;
         long publishedTo = 0;
-        long publishedNanos = clock.nanoTime();
+        long first = 0;
+        long sinceNanos = 0;
         long connects = -1;
         try {
             while (!closing) {
@@ -196,22 +201,34 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
                 }
                 outbox.sent(confirmed.get());
                 reportLink();
-                boolean again = connects != gateway.connects() || clock.nanoTime() - publishedNanos > AGAIN_NANOS;
-                for (Outbox.Entry entry : gateway.isUp() ? outbox.first(WINDOW, 0) : List.<Outbox.Entry>of()) {
+                List<Outbox.Entry> entries = gateway.isUp() ? outbox.first(WINDOW, 0) : List.of();
+                if (entries.isEmpty()) {
+                    continue;
+                }
+                boolean again = connects != gateway.connects()
+                        || (first == entries.get(0).number() && clock.nanoTime() - sinceNanos > AGAIN_NANOS);
+                if (again || first != entries.get(0).number()) {
+                    first = entries.get(0).number();
+                    sinceNanos = clock.nanoTime();
+                    connects = gateway.connects();
+                }
+                for (Outbox.Entry entry : entries) {
                     if (entry.number() <= forcedTo && (again || entry.number() > publishedTo)) {
-                        gateway.publish(Message.event(
-                                topic(entry.topic()),
-                                "{\"number\":" + entry.number() + ','
-                                        + entry.record().substring(1)));
+                        publish(entry, first);
                         publishedTo = Math.max(publishedTo, entry.number());
-                        publishedNanos = clock.nanoTime();
-                        connects = gateway.connects();
                     }
                 }
             }
         } catch (InterruptedException closed) {
             // Waiting records are in the file.
         }
+    }
+
+    private void publish(Outbox.Entry entry, long first) {
+        gateway.publish(Message.event(
+                topic(entry.topic()),
+                "{\"number\":" + entry.number() + ",\"first\":" + first + ','
+                        + entry.record().substring(1)));
     }
 
     private void confirmed(Message message) {
