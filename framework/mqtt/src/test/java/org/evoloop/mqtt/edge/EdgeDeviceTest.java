@@ -98,7 +98,7 @@ class EdgeDeviceTest {
         }
     }
 
-    private static StateKnowledge knowledge() {
+    static StateKnowledge knowledge() {
         return new StateKnowledge(PaperModels.lightBulb()) {
             @Override
             protected void registerNewFunctions() {

@@ -20,11 +20,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
-import org.evoloop.PaperModels;
 import org.evoloop.RecordingExecute;
 import org.evoloop.converter.EdgeShell;
-import org.evoloop.converter.StateKnowledge;
-import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.mqtt.BrokerAddress;
 import org.evoloop.mqtt.Mosquitto;
@@ -75,7 +72,7 @@ class EdgeFuzzTest {
                         clock,
                         InstantSource.fixed(NOW),
                         link::add);
-                EdgeShell shell = new EdgeShell(LoopConfig.defaults("lamp", clock), knowledge(), edge);
+                EdgeShell shell = new EdgeShell(LoopConfig.defaults("lamp", clock), EdgeDeviceTest.knowledge(), edge);
                 shell.addExecute(new RecordingExecute("Bulb", "switch"));
                 gateway = Mqtt5Client.builder()
                         .serverHost("127.0.0.1")
@@ -104,16 +101,6 @@ class EdgeFuzzTest {
             } catch (Exception failure) {
                 throw new IllegalStateException(failure);
             }
-        }
-
-        private static StateKnowledge knowledge() {
-            return new StateKnowledge(PaperModels.lightBulb()) {
-                @Override
-                protected void registerNewFunctions() {
-                    function("wait", visit -> visit.finish("timeout"));
-                    function("incandescentOn", NewFunction.none());
-                }
-            };
         }
 
         private void publish(String topic, byte[] payload) throws Exception {
