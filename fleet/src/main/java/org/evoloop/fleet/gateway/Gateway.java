@@ -121,7 +121,7 @@ public final class Gateway implements AutoCloseable {
                 ? "{\"atMillis\":" + System.currentTimeMillis() + ',' + payload.substring(1)
                 : payload;
         long number = number(record, "number");
-        if (isMissedBefore(device, number, number(record, "first"))) {
+        if (isEarlierMissing(device, number, record)) {
             LOG.debug("record {} of {} is not stored: it comes again after those before it", number, device);
             return;
         }
@@ -130,12 +130,15 @@ public final class Gateway implements AutoCloseable {
     }
 
     /**
-     * Whether a record is missing before this one, such as one that was published before this gateway had subscribed.
-     *
-     * @param first the number of the first record that the device still has to report; 0 if it does not say
+     * Whether a record before this one is missing, such as one that was published before this gateway had subscribed:
+     * its number is not the next, and the device says that it still has an earlier one to report.
      */
-    private boolean isMissedBefore(String device, long number, long first) {
-        return first > 0 && first < number && number > kept.getOrDefault(device, 0L) + 1;
+    private boolean isEarlierMissing(String device, long number, String record) {
+        if (number <= kept.getOrDefault(device, 0L) + 1) {
+            return false;
+        }
+        long first = number(record, "first");
+        return first > 0 && first < number;
     }
 
     /** Acknowledges a numbered record, so that the device need not send it again. */

@@ -58,7 +58,7 @@ final class Rollouts {
         return changed;
     }
 
-    /** Returns whether it is in effect now, or was ignored; false while it still waits for its models. */
+    /** Returns false while it waits for its models. */
     private boolean read(String name, byte[] record, boolean isNew) {
         try {
             Rollout rollout = Rollout.read(name, record);

@@ -83,6 +83,7 @@ final class Frame {
         return (int) header;
     }
 
+    /** The CRC32C of some bytes of an array. */
     static int crcOf(byte[] bytes, int from, int length) {
         CRC32C crc = new CRC32C();
         crc.update(bytes, from, length);
@@ -90,7 +91,7 @@ final class Frame {
     }
 
     /**
-     * The same for the first bytes of an array. The JDK's method may need tables of 8 kB, which have left the
+     * The CRC32C of the first bytes of an array. The JDK's method may need tables of 8 kB, which have left the
      * processor's caches when a rare event needs them; this one is slower for long records.
      */
     static int crcOfShort(byte[] bytes, int length) {

@@ -205,10 +205,11 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
                 if (entries.isEmpty()) {
                     continue;
                 }
-                boolean again = connects != gateway.connects()
-                        || (first == entries.get(0).number() && clock.nanoTime() - sinceNanos > AGAIN_NANOS);
-                if (again || first != entries.get(0).number()) {
-                    first = entries.get(0).number();
+                long oldest = entries.get(0).number();
+                boolean late = oldest == first && clock.nanoTime() - sinceNanos > AGAIN_NANOS;
+                boolean again = late || connects != gateway.connects();
+                if (again || oldest != first) {
+                    first = oldest;
                     sinceNanos = clock.nanoTime();
                     connects = gateway.connects();
                 }

@@ -108,8 +108,8 @@ final class RobotReader implements ConnectionOwner {
     private void take(byte[] buffer, int length) {
         for (SensorValues reported : frames(buffer, length)) {
             for (Button button : look(reported)) {
-                // Without the monitor: the thread that handles the press needs it, to send a command. And without a
-                // lambda, whose making is interpreted for as long as presses are rare.
+                // Without the monitor: the thread that handles the press needs it, to send a command. In
+                // a loop: creating a lambda stays interpreted, which is slow, as long as presses are rare.
                 for (SessionListener listener : listeners) {
                     listener.pressed(button, false);
                 }
