@@ -74,4 +74,17 @@ class ConsoleTerminalTest {
         assertThat(program.exitValue()).isZero();
         assertThat(screen.text()).doesNotContain("error:", "running:");
     }
+
+    @Test
+    void controlCEndsOnlyWhatIsWatched() throws Exception {
+        screen.await("evoloop> ");
+        type("watch\r");
+        screen.await("(any key ends it)");
+        type("\003");
+        screen.await("evoloop> ");
+        type("exit\r");
+        screen.await("ended, converter EXITED");
+        assertThat(program.waitFor(20, TimeUnit.SECONDS)).isTrue();
+        assertThat(program.exitValue()).isZero();
+    }
 }
