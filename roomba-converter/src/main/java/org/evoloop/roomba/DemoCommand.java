@@ -33,6 +33,9 @@ import picocli.CommandLine.Spec;
 final class DemoCommand implements Callable<Integer> {
     private static final double FASTEST_WITH_CAMERA = 4;
 
+    /** Linux may hold back the bytes of a pseudo-terminal for two seconds if its processors are overloaded. */
+    private static final int TIMES_USUAL_SILENCE = 5;
+
     @Option(
             names = "--scenario",
             paramLabel = "NAME",
@@ -121,7 +124,7 @@ final class DemoCommand implements Callable<Integer> {
             try (RoombaConverter roomba = RoombaConverter.connect(
                     RoombaCommand.cable(world.port().toString()),
                     RoombaCommand.config(clock, pace),
-                    RoombaCommand.sessionOptions(pace),
+                    RoombaCommand.sessionOptions(pace * TIMES_USUAL_SILENCE),
                     options(models, world, pace))) {
                 roomba.converter().start();
                 next.play(new Play(roomba, world, clock));

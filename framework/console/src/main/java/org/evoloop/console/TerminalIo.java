@@ -83,7 +83,8 @@ final class TerminalIo implements ConsoleIo {
     /** The terminal on which this process was started; null if there is none, or it cannot move its cursor. */
     static @Nullable TerminalIo open(Function<List<String>, Collection<String>> completion, Runnable interrupted) {
         try {
-            // At Ctrl-C, JLine would both interrupt this thread and deliver the key. The second could reach the next line.
+            // At Ctrl-C, JLine would both interrupt this thread and deliver the key. The second could reach the next
+            // line.
             System.setProperty(TerminalBuilder.PROP_SOFTWARE_SIGNALS, "false");
             Terminal terminal = TerminalBuilder.builder()
                     .systemOutput(TerminalBuilder.SystemOutput.SysOut)

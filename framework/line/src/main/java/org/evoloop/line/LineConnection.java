@@ -62,7 +62,8 @@ public final class LineConnection implements DeviceLink, AutoCloseable {
      * for as long again, it reconnects.
      */
     public LineConnection watch(Duration limit, String question) {
-        wire.add(new Silence(clock, limit, requireOneLine(question), wire));
+        // First, so that a listener that blocks on a line does not make the connection look silent.
+        wire.addFirst(new Silence(clock, limit, requireOneLine(question), wire));
         return this;
     }
 

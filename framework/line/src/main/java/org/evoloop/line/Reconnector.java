@@ -41,6 +41,11 @@ final class Reconnector {
         users.add(user);
     }
 
+    /** Adds a user that learns everything before the others. */
+    void addFirst(WireUser user) {
+        users.addFirst(user);
+    }
+
     /** The wire's destination, for messages. */
     String place() {
         return transport.toString();

@@ -9,9 +9,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * All users of a wire, in the order in which they were added. If one fails on a line, the others still receive it.
+ * All users of a wire, in their order. If one fails on a line, the others still receive it.
  *
- * <p>Threading: {@link #add} may be called from any thread.
+ * <p>Threading: {@link #add} and {@link #addFirst} may be called from any thread.
  */
 final class WireUsers implements WireUser {
     private static final Logger LOG = LoggerFactory.getLogger(LineConnection.class);
@@ -27,6 +27,11 @@ final class WireUsers implements WireUser {
 
     void add(WireUser user) {
         all.add(user);
+    }
+
+    /** Adds a user that is called before those that are there. */
+    void addFirst(WireUser user) {
+        all.add(0, user);
     }
 
     @Override

@@ -122,6 +122,26 @@ class LineConnectionTest {
         }
     }
 
+    @Test
+    void aListenerThatTakesItsTimeDoesNotMakeTheServerSilent() throws Exception {
+        Duration limit = Duration.ofMillis(100);
+        try (ManualClock time = new ManualClock();
+                LineConnection watched = new LineConnection(server.transport(), time)) {
+            watched.watch(limit, "alive?");
+            watched.listen(line -> {
+                time.advance(limit);
+                received.add(line);
+            });
+            watched.open();
+            send(server.client(), "busy\n");
+            assertThat(next()).isEqualTo("busy");
+            watched.send("not yet");
+            assertThat(server.nextLine()).isEqualTo("not yet");
+            time.advance(limit);
+            assertThat(server.nextLine()).isEqualTo("alive?");
+        }
+    }
+
     /** What happens next is what the timer makes happen. */
     private static void awaitTimer(ManualClock time) {
         await().atMost(PATIENCE).until(() -> time.pendingTasks() == 1);
