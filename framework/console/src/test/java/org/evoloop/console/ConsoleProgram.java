@@ -1,5 +1,6 @@
 package org.evoloop.console;
 
+import java.util.concurrent.CountDownLatch;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.SystemClock;
 
@@ -16,6 +17,11 @@ final class ConsoleProgram {
             } catch (ClassNotFoundException none) {
                 out.println("no JLine");
             }
+        }));
+        console.addCommand(ConsoleCommand.of("wait", "waits for an interrupt", (words, out) -> {
+            // Not its result, which is shown only when it ends.
+            System.out.println("waiting");
+            new CountDownLatch(1).await();
         }));
         int status = console.run();
         System.out.println("ended, converter " + lamp.converter.status().loop());

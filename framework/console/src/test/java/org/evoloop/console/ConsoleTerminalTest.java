@@ -69,9 +69,7 @@ class ConsoleTerminalTest {
         screen.await("LineReader");
         screen.await("evoloop> ");
         type("\003");
-        screen.await("ended, converter EXITED");
-        assertThat(program.waitFor(20, TimeUnit.SECONDS)).isTrue();
-        assertThat(program.exitValue()).isZero();
+        assertEnds();
         assertThat(screen.text()).doesNotContain("error:", "running:");
     }
 
@@ -83,6 +81,19 @@ class ConsoleTerminalTest {
         type("\003");
         screen.await("evoloop> ");
         type("exit\r");
+        assertEnds();
+    }
+
+    @Test
+    void controlCEndsTheProgramInTheMiddleOfACommand() throws Exception {
+        screen.await("evoloop> ");
+        type("wait\r");
+        screen.await("waiting");
+        type("\003");
+        assertEnds();
+    }
+
+    private void assertEnds() throws InterruptedException {
         screen.await("ended, converter EXITED");
         assertThat(program.waitFor(20, TimeUnit.SECONDS)).isTrue();
         assertThat(program.exitValue()).isZero();
