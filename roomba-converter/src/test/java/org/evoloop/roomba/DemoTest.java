@@ -114,6 +114,7 @@ class DemoTest {
                         "=== scenario: timeout",
                         "=== scenario: evolve");
         assertThat(said(result))
+                .as("%s", result)
                 .hasSize(5)
                 .allMatch(line -> line.endsWith(" ended where it should, by the simulated robot's true state"));
         assertThat(result.out().lines().filter(line -> line.contains("internal_event : timeout")))

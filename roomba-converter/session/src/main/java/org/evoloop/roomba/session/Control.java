@@ -7,6 +7,7 @@ import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.session.connection.Connection;
 import org.evoloop.roomba.session.inference.ActivityEstimate;
 import org.evoloop.roomba.session.inference.SpotWatch;
+import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -35,6 +36,9 @@ final class Control {
      */
     private static final int DIGEST_FRAMES = 6;
 
+    /** Most of the time that {@link SpotWatch#QUIET_FRAMES} take; after the computer paused, old frames come at once. */
+    private static final long QUIET_NANOS = 750_000_000;
+
     /** Three Safe commands, with pending commands completed in between. */
     private static final int TRIES_ON_DOCK = 5;
 
@@ -49,6 +53,7 @@ final class Control {
 
     private final Connection connection;
     private final ActivityEstimate estimate;
+    private final Clock clock;
     private boolean engaged;
     private volatile boolean wanted;
     private volatile boolean regaining;
@@ -63,10 +68,13 @@ final class Control {
     private boolean underControl;
     private int framesWith;
     private int framesWithout;
+    private long withoutSinceNanos;
+    private int tries;
 
-    Control(Connection connection, ActivityEstimate estimate) {
+    Control(Connection connection, ActivityEstimate estimate, Clock clock) {
         this.connection = connection;
         this.estimate = estimate;
+        this.clock = clock;
     }
 
     /** Requests control now, and again whenever the robot has left Safe mode by itself. */
@@ -107,6 +115,14 @@ final class Control {
     /** Whether the robot has just become reachable again and is about to be stopped. */
     boolean isRegaining() {
         return regaining;
+    }
+
+    /** A command is about to be sent. */
+    void sending(Command command) {
+        if (command.opcode().endsControl()) {
+            // The robot will soon be without control as it should: earlier frames must not lead to a Safe after it.
+            framesWithout = 0;
+        }
     }
 
     /** A command has been sent. */
@@ -229,11 +245,19 @@ final class Control {
         SensorValues values = now.values();
         boolean docked = values.value(Packet.CHARGING_SOURCES) != 0;
         boolean mayTake = (regaining || wanted) && !outOfSight && !now.isUnderControl() && !values.anyWheelDrop();
-        framesWithout = mayTake ? framesWithout + 1 : 0;
-        int tries = framesWithout / SpotWatch.QUIET_FRAMES;
-        if (tries == 0 || framesWithout % SpotWatch.QUIET_FRAMES != 0) {
+        if (!mayTake) {
+            framesWithout = 0;
+            tries = 0;
             return false;
         }
+        if (framesWithout++ == 0) {
+            withoutSinceNanos = clock.nanoTime();
+        }
+        if (framesWithout < SpotWatch.QUIET_FRAMES || clock.nanoTime() - withoutSinceNanos < QUIET_NANOS) {
+            return false;
+        }
+        framesWithout = 0;
+        tries++;
         boolean over = docked && tries > TRIES_ON_DOCK;
         boolean switchedOn = over && regaining;
         if (over) {

@@ -68,7 +68,7 @@ final class RobotReader implements ConnectionOwner {
         Connection.Options wanted =
                 new Connection.Options(RoombaSession.STREAM, options.silenceLimit(), options.mayWait());
         this.connection = new Connection(cable, clock, wanted, this);
-        this.control = new Control(connection, estimate);
+        this.control = new Control(connection, estimate, clock);
         this.undocking = new Undocking(connection::trySend, estimate);
     }
 
@@ -260,6 +260,7 @@ final class RobotReader implements ConnectionOwner {
     /** A command is about to be sent. */
     synchronized void sending(Command command) {
         effect.sending(command);
+        control.sending(command);
     }
 
     /** Whether the effect of the last command has not been seen yet. */

@@ -51,8 +51,15 @@ final class Cables {
     /** The robot sends this many frames with these values, 15 ms apart. */
     void show(int frames, SensorValues values, ManualClock clock) {
         for (int frame = 0; frame < frames; frame++) {
-            say(StreamFrame.encode(RoombaSession.STREAM, values::value));
+            showAtOnce(1, values);
             clock.advance(Duration.ofMillis(15));
+        }
+    }
+
+    /** The robot has sent this many frames with these values, which were held up and come together. */
+    void showAtOnce(int frames, SensorValues values) {
+        for (int frame = 0; frame < frames; frame++) {
+            say(StreamFrame.encode(RoombaSession.STREAM, values::value));
         }
     }
 

@@ -120,6 +120,27 @@ class RoombaSessionTest {
     }
 
     @Test
+    void oldFramesThatComeAtOnceDoNotMeanThatControlWasNotTaken() {
+        session.takeControl();
+        cables.heard();
+        cables.showAtOnce(2 * SpotWatch.QUIET_FRAMES, PASSIVE);
+        frames(2, CONTROLLED);
+        assertThat(cables.heard()).isEmpty();
+    }
+
+    @Test
+    void controlIsNotTakenBackFromACommandThatEndsIt() {
+        session.takeControl();
+        frames(SpotWatch.QUIET_FRAMES - 1, PASSIVE);
+        cables.heard();
+        session.send(new Command.Clean());
+        frames(1, PASSIVE);
+        assertThat(cables.heard())
+                .as("a Safe would end the cleaning before the session is told to leave the robot alone")
+                .isEqualTo(bytes(new Command.Clean()));
+    }
+
+    @Test
     @Timeout(60)
     void theAnswerToAPressUnderControlCanBeSentWhileThePressIsStillBeingReported() {
         takeControl();
