@@ -6,6 +6,7 @@ import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.session.connection.Connection;
 import org.evoloop.roomba.session.inference.ActivityEstimate;
+import org.evoloop.roomba.session.inference.FrameSpan;
 import org.evoloop.roomba.session.inference.SpotWatch;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
@@ -36,9 +37,6 @@ final class Control {
      */
     private static final int DIGEST_FRAMES = 6;
 
-    /** Most of the time that {@link SpotWatch#QUIET_FRAMES} take; after the computer paused, old frames come at once. */
-    private static final long QUIET_NANOS = 750_000_000;
-
     /** Three Safe commands, with pending commands completed in between. */
     private static final int TRIES_ON_DOCK = 5;
 
@@ -53,7 +51,8 @@ final class Control {
 
     private final Connection connection;
     private final ActivityEstimate estimate;
-    private final Clock clock;
+    private final FrameSpan with;
+    private final FrameSpan without;
     private boolean engaged;
     private volatile boolean wanted;
     private volatile boolean regaining;
@@ -66,15 +65,13 @@ final class Control {
     private boolean mayHaveMissed = true;
     private int engagedFrames;
     private boolean underControl;
-    private int framesWith;
-    private int framesWithout;
-    private long withoutSinceNanos;
     private int tries;
 
     Control(Connection connection, ActivityEstimate estimate, Clock clock) {
         this.connection = connection;
         this.estimate = estimate;
-        this.clock = clock;
+        this.with = new FrameSpan(clock);
+        this.without = new FrameSpan(clock);
     }
 
     /** Requests control now, and again whenever the robot has left Safe mode by itself. */
@@ -121,7 +118,7 @@ final class Control {
     void sending(Command command) {
         if (command.opcode().endsControl()) {
             // The robot will soon be without control as it should: earlier frames must not lead to a Safe after it.
-            framesWithout = 0;
+            without.restart();
         }
     }
 
@@ -137,7 +134,7 @@ final class Control {
         if (command.opcode().endsControl()) {
             unconfirmed = underControl ? command : null;
             // Restart the count: frames already on their way still show control.
-            framesWith = 0;
+            with.restart();
         }
     }
 
@@ -181,14 +178,18 @@ final class Control {
         boolean on = underControl && regaining;
         regaining &= !on;
         Command command = unconfirmed;
-        framesWith = underControl ? framesWith + 1 : 0;
         if (!underControl) {
+            with.restart();
             unconfirmed = null;
-        } else if (command != null) {
+            return on;
+        }
+        with.count();
+        if (command != null) {
             confirm(command);
-        } else {
+        } else if (with.hasLasted(SpotWatch.QUIET_FRAMES)) {
+            with.restart();
             // Still under control though it was released, and at rest: it is on.
-            on |= engaged && !wanted && framesWith % SpotWatch.QUIET_FRAMES == 0 && estimate.isAtRest();
+            on |= engaged && !wanted && estimate.isAtRest();
         }
         return on;
     }
@@ -201,17 +202,17 @@ final class Control {
         if (estimate.isAtWork() && !halted) {
             // It may be executing a command garbled by lost bytes; stop it. A robot that works by itself ignores this.
             halted = true;
-            framesWith = 0;
+            with.restart();
             connection.completeWhateverIsPending();
             connection.trySend(new ActuatorCommand.DriveDirect(0, 0));
-        } else if (estimate.isAtWork() && framesWith >= CONFIRM_FRAMES) {
+        } else if (estimate.isAtWork() && with.hasLasted(CONFIRM_FRAMES)) {
             unconfirmed = null;
             LOG.warn(
                     "{}: the robot works by itself, but its mode says that it is under control. It may report its mode one "
                             + "too high: try --mode-offset 1, or leave the option out",
                     connection.description());
-        } else if (framesWith >= CONFIRM_FRAMES && estimate.isAtRest()) {
-            framesWith = 0;
+        } else if (with.hasLasted(CONFIRM_FRAMES) && estimate.isAtRest()) {
+            with.restart();
             // The robot may have taken it for the data of an incomplete command, which a repetition would complete.
             connection.completeWhateverIsPending();
             again = command;
@@ -246,17 +247,15 @@ final class Control {
         boolean docked = values.value(Packet.CHARGING_SOURCES) != 0;
         boolean mayTake = (regaining || wanted) && !outOfSight && !now.isUnderControl() && !values.anyWheelDrop();
         if (!mayTake) {
-            framesWithout = 0;
+            without.restart();
             tries = 0;
             return false;
         }
-        if (framesWithout++ == 0) {
-            withoutSinceNanos = clock.nanoTime();
-        }
-        if (framesWithout < SpotWatch.QUIET_FRAMES || clock.nanoTime() - withoutSinceNanos < QUIET_NANOS) {
+        without.count();
+        if (!without.hasLasted(SpotWatch.QUIET_FRAMES)) {
             return false;
         }
-        framesWithout = 0;
+        without.restart();
         tries++;
         boolean over = docked && tries > TRIES_ON_DOCK;
         boolean switchedOn = over && regaining;

@@ -52,7 +52,7 @@ final class RobotReader implements ConnectionOwner {
     private final ButtonPresses buttons = new ButtonPresses();
     private final SpotWatch spotWatch = new SpotWatch();
     private final ActivityEstimate estimate = new ActivityEstimate();
-    private final CommandEffect effect = new CommandEffect();
+    private final CommandEffect effect;
     private final Control control;
     private final Undocking undocking;
     private final CircumstanceWatch circumstances = new CircumstanceWatch();
@@ -68,6 +68,7 @@ final class RobotReader implements ConnectionOwner {
         Connection.Options wanted =
                 new Connection.Options(RoombaSession.STREAM, options.silenceLimit(), options.mayWait());
         this.connection = new Connection(cable, clock, wanted, this);
+        this.effect = new CommandEffect(clock);
         this.control = new Control(connection, estimate, clock);
         this.undocking = new Undocking(connection::trySend, estimate);
     }

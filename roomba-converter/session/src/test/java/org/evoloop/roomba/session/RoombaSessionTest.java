@@ -129,6 +129,18 @@ class RoombaSessionTest {
     }
 
     @Test
+    void oldFramesThatComeAtOnceDoNotMeanThatACommandIsLostOrItsWorkHasEnded() {
+        session.takeControl();
+        session.send(new Command.Clean());
+        session.leaveAlone();
+        cables.heard();
+        cables.showAtOnce(4 * SpotWatch.QUIET_FRAMES, CONTROLLED);
+        frames(SpotWatch.QUIET_FRAMES, Frames.cleaning());
+        assertThat(notices).containsExactly("seen CLEAN");
+        assertThat(cables.heard()).isEmpty();
+    }
+
+    @Test
     void controlIsNotTakenBackFromACommandThatEndsIt() {
         session.takeControl();
         frames(SpotWatch.QUIET_FRAMES - 1, PASSIVE);

@@ -3,14 +3,13 @@ package org.evoloop.roomba.session.inference;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
+import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Detects the effect of a command from the OI mode, where the mode shows it: Safe and Full put a robot under control,
  * and commands that start work or switch it off end control. The effect on a robot that works by itself shows in its
  * motors, much later.
- *
- * <p>Time is counted in frames of the stream, one every 15 ms.
  *
  * <p>Threading: not thread-safe.
  *
@@ -20,20 +19,24 @@ public final class CommandEffect {
     /** The effect of a received command shows within this many frames: 0.24 s. */
     public static final int SHOW_FRAMES = 16;
 
+    private final FrameSpan sinceCommand;
     private @Nullable Command awaited;
-    private int frames = SHOW_FRAMES;
+    private boolean over = true;
     private boolean missing;
     private boolean underControl;
 
     /** No effect is awaited. */
-    public CommandEffect() {}
+    public CommandEffect(Clock clock) {
+        this.sinceCommand = new FrameSpan(clock);
+    }
 
     /** A command is about to be sent. */
     public void sending(Command command) {
         if (takesControl(command) || command.opcode().endsControl()) {
             awaited = takesControl(command) == underControl ? null : command;
             missing = false;
-            frames = 0;
+            over = false;
+            sinceCommand.restart();
         }
     }
 
@@ -45,18 +48,18 @@ public final class CommandEffect {
     public @Nullable Command update(SensorValues values, boolean nowUnderControl) {
         underControl = nowUnderControl;
         missing &= !underControl;
-        frames++;
+        sinceCommand.count();
+        boolean late = !over && sinceCommand.hasLasted(SHOW_FRAMES);
         Command command = awaited;
-        if (command == null) {
-            return null;
-        }
-        if (takesControl(command) == underControl) {
+        boolean seen = command != null && takesControl(command) == underControl;
+        if (seen || late) {
             awaited = null;
-            frames = SHOW_FRAMES;
+            over = true;
+        }
+        if (seen) {
             return underControl || !leavesControlByItself(values) ? command : null;
         }
-        if (frames >= SHOW_FRAMES) {
-            awaited = null;
+        if (late && command != null) {
             missing = takesControl(command);
         }
         return null;
@@ -74,7 +77,7 @@ public final class CommandEffect {
 
     /** Whether frames already show the time after the last command. */
     public boolean isOver() {
-        return frames >= SHOW_FRAMES;
+        return over;
     }
 
     /** Whether the last command should have put the robot under control, and that was never seen. */

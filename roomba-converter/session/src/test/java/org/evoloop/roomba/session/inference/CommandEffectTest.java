@@ -2,12 +2,14 @@ package org.evoloop.roomba.session.inference;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.time.Duration;
 import org.evoloop.roomba.oi.ActuatorCommand.DriveDirect;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.OiMode;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.session.Frames;
+import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
@@ -18,9 +20,15 @@ class CommandEffectTest {
     private static final SensorValues CONTROLLED = Frames.resting(OiMode.SAFE);
     private static final SensorValues LIFTED = PASSIVE.with(Packet.BUMPS_AND_WHEEL_DROPS, 0b1100);
 
-    private final CommandEffect effect = new CommandEffect();
+    private final ManualClock clock = new ManualClock();
+    private final CommandEffect effect = new CommandEffect(clock);
 
     private @Nullable Command frame(SensorValues values) {
+        clock.advance(Duration.ofMillis(15));
+        return update(values);
+    }
+
+    private @Nullable Command update(SensorValues values) {
         return effect.update(values, values.value(Packet.OI_MODE) == OiMode.SAFE.code());
     }
 
@@ -74,6 +82,17 @@ class CommandEffectTest {
         assertThat(effect.isAwaited()).isFalse();
         assertThat(effect.isMissing()).isTrue();
         assertThat(frame(CONTROLLED)).as("too late to be sure of the cause").isNull();
+        assertThat(effect.isMissing()).isFalse();
+    }
+
+    @Test
+    void framesThatComeAtOnceAreOlderThanTheCommand() {
+        effect.sending(SAFE);
+        for (int count = 0; count < 10 * CommandEffect.SHOW_FRAMES; count++) {
+            assertThat(update(PASSIVE)).isNull();
+        }
+        assertThat(effect.isOver()).isFalse();
+        assertThat(frame(CONTROLLED)).isSameAs(SAFE);
         assertThat(effect.isMissing()).isFalse();
     }
 }
