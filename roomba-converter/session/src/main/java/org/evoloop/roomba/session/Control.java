@@ -8,7 +8,6 @@ import org.evoloop.roomba.session.connection.Connection;
 import org.evoloop.roomba.session.inference.ActivityEstimate;
 import org.evoloop.roomba.session.inference.FrameSpan;
 import org.evoloop.roomba.session.inference.SpotWatch;
-import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -51,8 +50,8 @@ final class Control {
 
     private final Connection connection;
     private final ActivityEstimate estimate;
-    private final FrameSpan with;
-    private final FrameSpan without;
+    private final FrameSpan with = new FrameSpan();
+    private final FrameSpan without = new FrameSpan();
     private boolean engaged;
     private volatile boolean wanted;
     private volatile boolean regaining;
@@ -67,11 +66,9 @@ final class Control {
     private boolean underControl;
     private int tries;
 
-    Control(Connection connection, ActivityEstimate estimate, Clock clock) {
+    Control(Connection connection, ActivityEstimate estimate) {
         this.connection = connection;
         this.estimate = estimate;
-        this.with = new FrameSpan(clock);
-        this.without = new FrameSpan(clock);
     }
 
     /** Requests control now, and again whenever the robot has left Safe mode by itself. */
@@ -144,13 +141,17 @@ final class Control {
         settlingFrames = SETTLING_FRAMES;
     }
 
-    /** Handles the next frame; returns what it shows of the robot's activity. */
-    Known update(Telemetry now) {
+    /**
+     * Handles the next frame; returns what it shows of the robot's activity.
+     *
+     * @param nowNanos the time on a monotonic clock
+     */
+    Known update(Telemetry now, long nowNanos) {
         sendAgain();
         comeBackIntoSight();
-        boolean on = seeControl(now.isUnderControl());
+        boolean on = seeControl(now.isUnderControl(), nowNanos);
         boolean mustReport = mustReport();
-        on |= takeBack(now);
+        on |= takeBack(now, nowNanos);
         return on ? Known.ON : mustReport ? Known.AS_ESTIMATED : Known.NOTHING;
     }
 
@@ -169,7 +170,7 @@ final class Control {
     }
 
     /** Returns whether the robot is known to be idle. */
-    private boolean seeControl(boolean now) {
+    private boolean seeControl(boolean now, long nowNanos) {
         if (now && !underControl) {
             // Only at the start of control: a command that ends it takes some frames to show.
             estimate.controlled();
@@ -183,7 +184,7 @@ final class Control {
             unconfirmed = null;
             return on;
         }
-        with.count();
+        with.count(nowNanos);
         if (command != null) {
             confirm(command);
         } else if (with.hasLasted(SpotWatch.QUIET_FRAMES)) {
@@ -242,7 +243,7 @@ final class Control {
      * command, which may be lost on a noisy line. On its dock the robot never obeys, but the attempts have switched it
      * on; then this returns true.
      */
-    private boolean takeBack(Telemetry now) {
+    private boolean takeBack(Telemetry now, long nowNanos) {
         SensorValues values = now.values();
         boolean docked = values.value(Packet.CHARGING_SOURCES) != 0;
         boolean mayTake = (regaining || wanted) && !outOfSight && !now.isUnderControl() && !values.anyWheelDrop();
@@ -251,7 +252,7 @@ final class Control {
             tries = 0;
             return false;
         }
-        without.count();
+        without.count(nowNanos);
         if (!without.hasLasted(SpotWatch.QUIET_FRAMES)) {
             return false;
         }

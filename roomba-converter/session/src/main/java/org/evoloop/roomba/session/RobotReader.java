@@ -42,6 +42,7 @@ final class RobotReader implements ConnectionOwner {
     /** This many frames with a wrong checksum, and none with a right one, cannot be due to noise. */
     private static final int SIGNIFICANT_FRAMES = 20;
 
+    private final Clock clock;
     private final Connection connection;
     private final List<SessionListener> listeners = new CopyOnWriteArrayList<>();
     private final FirstBytes firstBytes = new FirstBytes();
@@ -52,7 +53,7 @@ final class RobotReader implements ConnectionOwner {
     private final ButtonPresses buttons = new ButtonPresses();
     private final SpotWatch spotWatch = new SpotWatch();
     private final ActivityEstimate estimate = new ActivityEstimate();
-    private final CommandEffect effect;
+    private final CommandEffect effect = new CommandEffect();
     private final Control control;
     private final Undocking undocking;
     private final CircumstanceWatch circumstances = new CircumstanceWatch();
@@ -63,13 +64,13 @@ final class RobotReader implements ConnectionOwner {
 
     /** @param cable opens a new link to the robot at a baud rate; called again whenever the link was lost */
     RobotReader(IntFunction<Link> cable, Clock clock, SessionOptions options) {
+        this.clock = clock;
         this.modeOffset = new ModeOffset(options.modeOffset());
         this.filter = new FrameFilter(modeOffset);
         Connection.Options wanted =
                 new Connection.Options(RoombaSession.STREAM, options.silenceLimit(), options.mayWait());
         this.connection = new Connection(cable, clock, wanted, this);
-        this.effect = new CommandEffect(clock);
-        this.control = new Control(connection, estimate, clock);
+        this.control = new Control(connection, estimate);
         this.undocking = new Undocking(connection::trySend, estimate);
     }
 
@@ -137,7 +138,8 @@ final class RobotReader implements ConnectionOwner {
         for (SessionListener listener : listeners) {
             listener.received(now);
         }
-        Command obeyed = effect.update(values, now.isUnderControl());
+        long nowNanos = clock.nanoTime();
+        Command obeyed = effect.update(values, now.isUnderControl(), nowNanos);
         if (obeyed != null) {
             listeners.forEach(listener -> listener.obeyed(obeyed));
         }
@@ -146,7 +148,7 @@ final class RobotReader implements ConnectionOwner {
             reportCircumstances(again ? Circumstances.USUAL : reported);
         }
         reportAgain |= undocking.update(now);
-        switch (control.update(now)) {
+        switch (control.update(now, nowNanos)) {
             case ON -> {
                 estimate.controlled();
                 reportSeen(EstimatedActivity.ON);

@@ -3,7 +3,6 @@ package org.evoloop.roomba.session.inference;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
-import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -19,16 +18,14 @@ public final class CommandEffect {
     /** The effect of a received command shows within this many frames: 0.24 s. */
     public static final int SHOW_FRAMES = 16;
 
-    private final FrameSpan sinceCommand;
+    private final FrameSpan sinceCommand = new FrameSpan();
     private @Nullable Command awaited;
     private boolean over = true;
     private boolean missing;
     private boolean underControl;
 
     /** No effect is awaited. */
-    public CommandEffect(Clock clock) {
-        this.sinceCommand = new FrameSpan(clock);
-    }
+    public CommandEffect() {}
 
     /** A command is about to be sent. */
     public void sending(Command command) {
@@ -44,11 +41,15 @@ public final class CommandEffect {
         return command instanceof Command.Safe || command instanceof Command.Full;
     }
 
-    /** Handles the next frame; returns the command whose effect it shows, else null. */
-    public @Nullable Command update(SensorValues values, boolean nowUnderControl) {
+    /**
+     * Handles the next frame; returns the command whose effect it shows, else null.
+     *
+     * @param nowNanos the time on a monotonic clock
+     */
+    public @Nullable Command update(SensorValues values, boolean nowUnderControl, long nowNanos) {
         underControl = nowUnderControl;
         missing &= !underControl;
-        sinceCommand.count();
+        sinceCommand.count(nowNanos);
         boolean late = !over && sinceCommand.hasLasted(SHOW_FRAMES);
         Command command = awaited;
         boolean seen = command != null && takesControl(command) == underControl;

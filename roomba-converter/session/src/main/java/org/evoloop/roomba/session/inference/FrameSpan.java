@@ -1,7 +1,5 @@
 package org.evoloop.roomba.session.inference;
 
-import org.evoloop.time.Clock;
-
 /**
  * A span of time, counted in frames of the stream, one every 15 ms. After the computer has paused, old frames come all
  * at once; so a span also needs most of its time on the clock.
@@ -14,29 +12,32 @@ public final class FrameSpan {
     /** Three quarters of the time between two frames: the robot's clock may be faster than this computer's. */
     private static final long LEAST_NANOS_PER_FRAME = 11_250_000;
 
-    private final Clock clock;
     private int frames;
     private long firstNanos;
+    private long lastNanos;
 
     /** A span that begins with the next frame. */
-    public FrameSpan(Clock clock) {
-        this.clock = clock;
-    }
+    public FrameSpan() {}
 
     /** The next frame is the first one. */
     public void restart() {
         frames = 0;
     }
 
-    /** A frame was received. */
-    public void count() {
+    /**
+     * A frame was received.
+     *
+     * @param nowNanos the time on a monotonic clock
+     */
+    public void count(long nowNanos) {
         if (frames++ == 0) {
-            firstNanos = clock.nanoTime();
+            firstNanos = nowNanos;
         }
+        lastNanos = nowNanos;
     }
 
     /** Whether it has lasted for {@code wanted} frames. */
     public boolean hasLasted(int wanted) {
-        return frames >= wanted && clock.nanoTime() - firstNanos >= wanted * LEAST_NANOS_PER_FRAME;
+        return frames >= wanted && lastNanos - firstNanos >= wanted * LEAST_NANOS_PER_FRAME;
     }
 }

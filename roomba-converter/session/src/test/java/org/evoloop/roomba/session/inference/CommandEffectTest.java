@@ -2,14 +2,12 @@ package org.evoloop.roomba.session.inference;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.time.Duration;
 import org.evoloop.roomba.oi.ActuatorCommand.DriveDirect;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.OiMode;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.session.Frames;
-import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
@@ -20,16 +18,16 @@ class CommandEffectTest {
     private static final SensorValues CONTROLLED = Frames.resting(OiMode.SAFE);
     private static final SensorValues LIFTED = PASSIVE.with(Packet.BUMPS_AND_WHEEL_DROPS, 0b1100);
 
-    private final ManualClock clock = new ManualClock();
-    private final CommandEffect effect = new CommandEffect(clock);
+    private final CommandEffect effect = new CommandEffect();
+    private long nowNanos;
 
     private @Nullable Command frame(SensorValues values) {
-        clock.advance(Duration.ofMillis(15));
+        nowNanos += 15_000_000;
         return update(values);
     }
 
     private @Nullable Command update(SensorValues values) {
-        return effect.update(values, values.value(Packet.OI_MODE) == OiMode.SAFE.code());
+        return effect.update(values, values.value(Packet.OI_MODE) == OiMode.SAFE.code(), nowNanos);
     }
 
     @Test
