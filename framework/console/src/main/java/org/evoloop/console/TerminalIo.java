@@ -83,8 +83,7 @@ final class TerminalIo implements ConsoleIo {
     /** The terminal on which this process was started; null if there is none, or it cannot move its cursor. */
     static @Nullable TerminalIo open(Function<List<String>, Collection<String>> completion, Runnable interrupted) {
         try {
-            // At Ctrl-C, JLine would both interrupt this thread and deliver the key. The second could reach the next
-            // line.
+            // Otherwise JLine answers Ctrl-C twice, by an interrupt and by the key: the second could end the next line.
             System.setProperty(TerminalBuilder.PROP_SOFTWARE_SIGNALS, "false");
             Terminal terminal = TerminalBuilder.builder()
                     .systemOutput(TerminalBuilder.SystemOutput.SysOut)

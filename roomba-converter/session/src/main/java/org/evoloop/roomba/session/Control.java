@@ -50,8 +50,8 @@ final class Control {
 
     private final Connection connection;
     private final ActivityEstimate estimate;
-    private final FrameSpan with = new FrameSpan();
-    private final FrameSpan without = new FrameSpan();
+    private final FrameSpan withControl = new FrameSpan();
+    private final FrameSpan withoutControl = new FrameSpan();
     private boolean engaged;
     private volatile boolean wanted;
     private volatile boolean regaining;
@@ -114,8 +114,8 @@ final class Control {
     /** A command is about to be sent. */
     void sending(Command command) {
         if (command.opcode().endsControl()) {
-            // The robot will soon be without control as it should: earlier frames must not lead to a Safe after it.
-            without.restart();
+            // It is about to be without control as it should. A Safe because of earlier frames would end its work.
+            withoutControl.restart();
         }
     }
 
@@ -131,7 +131,7 @@ final class Control {
         if (command.opcode().endsControl()) {
             unconfirmed = underControl ? command : null;
             // Restart the count: frames already on their way still show control.
-            with.restart();
+            withControl.restart();
         }
     }
 
@@ -180,15 +180,15 @@ final class Control {
         regaining &= !on;
         Command command = unconfirmed;
         if (!underControl) {
-            with.restart();
+            withControl.restart();
             unconfirmed = null;
             return on;
         }
-        with.count(nowNanos);
+        withControl.count(nowNanos);
         if (command != null) {
             confirm(command);
-        } else if (with.hasLasted(SpotWatch.QUIET_FRAMES)) {
-            with.restart();
+        } else if (withControl.hasLasted(SpotWatch.QUIET_FRAMES)) {
+            withControl.restart();
             // Still under control though it was released, and at rest: it is on.
             on |= engaged && !wanted && estimate.isAtRest();
         }
@@ -203,17 +203,17 @@ final class Control {
         if (estimate.isAtWork() && !halted) {
             // It may be executing a command garbled by lost bytes; stop it. A robot that works by itself ignores this.
             halted = true;
-            with.restart();
+            withControl.restart();
             connection.completeWhateverIsPending();
             connection.trySend(new ActuatorCommand.DriveDirect(0, 0));
-        } else if (estimate.isAtWork() && with.hasLasted(CONFIRM_FRAMES)) {
+        } else if (estimate.isAtWork() && withControl.hasLasted(CONFIRM_FRAMES)) {
             unconfirmed = null;
             LOG.warn(
                     "{}: the robot works by itself, but its mode says that it is under control. It may report its mode one "
                             + "too high: try --mode-offset 1, or leave the option out",
                     connection.description());
-        } else if (with.hasLasted(CONFIRM_FRAMES) && estimate.isAtRest()) {
-            with.restart();
+        } else if (withControl.hasLasted(CONFIRM_FRAMES) && estimate.isAtRest()) {
+            withControl.restart();
             // The robot may have taken it for the data of an incomplete command, which a repetition would complete.
             connection.completeWhateverIsPending();
             again = command;
@@ -248,15 +248,15 @@ final class Control {
         boolean docked = values.value(Packet.CHARGING_SOURCES) != 0;
         boolean mayTake = (regaining || wanted) && !outOfSight && !now.isUnderControl() && !values.anyWheelDrop();
         if (!mayTake) {
-            without.restart();
+            withoutControl.restart();
             tries = 0;
             return false;
         }
-        without.count(nowNanos);
-        if (!without.hasLasted(SpotWatch.QUIET_FRAMES)) {
+        withoutControl.count(nowNanos);
+        if (!withoutControl.hasLasted(SpotWatch.QUIET_FRAMES)) {
             return false;
         }
-        without.restart();
+        withoutControl.restart();
         tries++;
         boolean over = docked && tries > TRIES_ON_DOCK;
         boolean switchedOn = over && regaining;

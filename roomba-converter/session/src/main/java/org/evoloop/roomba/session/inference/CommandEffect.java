@@ -50,18 +50,16 @@ public final class CommandEffect {
         underControl = nowUnderControl;
         missing &= !underControl;
         sinceCommand.count(nowNanos);
-        boolean late = !over && sinceCommand.hasLasted(SHOW_FRAMES);
         Command command = awaited;
-        boolean seen = command != null && takesControl(command) == underControl;
-        if (seen || late) {
+        if (command != null && takesControl(command) == underControl) {
             awaited = null;
             over = true;
-        }
-        if (seen) {
             return underControl || !leavesControlByItself(values) ? command : null;
         }
-        if (late && command != null) {
-            missing = takesControl(command);
+        if (!over && sinceCommand.hasLasted(SHOW_FRAMES)) {
+            awaited = null;
+            over = true;
+            missing = command != null && takesControl(command);
         }
         return null;
     }
