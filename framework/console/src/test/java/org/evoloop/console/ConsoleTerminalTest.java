@@ -23,9 +23,10 @@ class ConsoleTerminalTest {
     private final OutputStream keyboard;
 
     ConsoleTerminalTest() throws IOException {
+        // A shell that stayed would answer Ctrl-C as well, some of them with an exit status of their own.
         String command = JavaProcess.command(entry -> true, ConsoleProgram.class).stream()
                 .map(word -> "'" + word + "'")
-                .collect(Collectors.joining(" "));
+                .collect(Collectors.joining(" ", "exec ", ""));
         // A shell may have started the tests in the background, where programs ignore Ctrl-C.
         ProcessBuilder terminal = new ProcessBuilder(
                         "env", "--default-signal=INT", "TERM=xterm", "script", "-qec", command, "/dev/null")
