@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
+import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
@@ -32,10 +32,10 @@ class ErrorOutputTest {
     void everyLineInTheJournalBeginsWithTheLevelOfAnError() {
         ByteArrayOutputStream journal = new ByteArrayOutputStream();
 
-        ErrorOutput.levelled(new PrintStream(journal, true, StandardCharsets.UTF_8))
-                .println("error: Tür:1: 'x' is unknown\n       remove it");
+        ErrorOutput.levelled(new PrintStream(journal, true)).println("error: Tür:1: 'x' is unknown\n       remove it");
 
-        assertThat(journal.toString(StandardCharsets.UTF_8))
-                .isEqualTo("<3>error: Tür:1: 'x' is unknown\n<3>       remove it\n");
+        // Not every locale has the letter.
+        assertThat(journal.toByteArray())
+                .isEqualTo("<3>error: Tür:1: 'x' is unknown\n<3>       remove it\n".getBytes(Charset.defaultCharset()));
     }
 }
