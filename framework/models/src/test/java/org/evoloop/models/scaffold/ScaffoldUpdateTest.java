@@ -77,6 +77,11 @@ class ScaffoldUpdateTest {
         return update.out();
     }
 
+    /** A class of the project, in UTF-8 whatever the locale. */
+    private String source(String file) throws IOException {
+        return Files.readString(project.resolve(SOURCES + file));
+    }
+
     private void write(String path, String text) throws IOException {
         Files.writeString(project.resolve(path), text);
     }
@@ -99,12 +104,12 @@ class ScaffoldUpdateTest {
 
         write(SOURCES + "ExecuteCommand.java", "mine");
         assertThat(update()).isEqualTo("nothing is new\n");
-        assertThat(project.resolve(SOURCES + "ExecuteCommand.java")).hasContent("mine");
+        assertThat(source("ExecuteCommand.java")).isEqualTo("mine");
     }
 
     @Test
     void unchangedFilesFollowTheModels() throws IOException {
-        String before = Files.readString(project.resolve(SOURCES + "StateFunction.java"));
+        String before = source("StateFunction.java");
         aNewState();
 
         assertThat(update().lines())
@@ -115,16 +120,15 @@ class ScaffoldUpdateTest {
                         "updated   src/test/java/com/example/made/TransitionsTest.java")
                 .noneMatch(line -> line.startsWith("kept"));
         // A state keeps its class although another state now precedes it and both class names are generated.
-        assertThat(project.resolve(SOURCES + "StateFunction.java")).hasContent(before);
-        assertThat(project.resolve(SOURCES + "KnowledgeState.java"))
-                .content()
+        assertThat(source("StateFunction.java")).isEqualTo(before);
+        assertThat(source("KnowledgeState.java"))
                 .contains("function(\"暗い\", new StateFunction());")
                 .contains("function(\"赤い\", new StateFunction2());");
     }
 
     @Test
     void whatItsAuthorWroteIsKeptAndWhatIsNewIsReported() throws IOException {
-        String knowledge = Files.readString(project.resolve(SOURCES + "KnowledgeState.java")) + "// mine\n";
+        String knowledge = source("KnowledgeState.java") + "// mine\n";
         write(SOURCES + "KnowledgeState.java", knowledge);
         write(SOURCES + "StateFunction.java", "mine");
         Files.delete(project.resolve(SOURCES + "MonitorEvent.java"));
@@ -135,8 +139,8 @@ class ScaffoldUpdateTest {
                         + "  + function(\"赤い\", new StateFunction2());\n")
                 .contains("left out  " + SOURCES + "MonitorEvent.java, which was removed\n")
                 .doesNotContain(SOURCES + "StateFunction.java");
-        assertThat(project.resolve(SOURCES + "KnowledgeState.java")).hasContent(knowledge);
-        assertThat(project.resolve(SOURCES + "StateFunction.java")).hasContent("mine");
+        assertThat(source("KnowledgeState.java")).isEqualTo(knowledge);
+        assertThat(source("StateFunction.java")).isEqualTo("mine");
         assertThat(update()).isEqualTo("left out  " + SOURCES + "MonitorEvent.java, which was removed\n");
     }
 
@@ -146,7 +150,7 @@ class ScaffoldUpdateTest {
         model("new", lamp("new").event("dim"));
 
         assertThat(update()).contains("unneeded  " + SOURCES + "StateFunction.java; remove it if ");
-        assertThat(project.resolve(SOURCES + "StateFunction.java")).hasContent("mine");
+        assertThat(source("StateFunction.java")).isEqualTo("mine");
         assertThat(update()).isEqualTo("nothing is new\n");
     }
 
