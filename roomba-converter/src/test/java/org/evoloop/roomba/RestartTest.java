@@ -108,7 +108,7 @@ class RestartTest {
         awaitActivity("clean");
 
         awaitStates(start(), "original Clean, new Clean");
-        assertThat(robot.truth().activity()).isEqualTo("clean");
+        assertThat(robot.truth().activity()).as(Files.readString(log())).isEqualTo("clean");
     }
 
     @Test

@@ -6,6 +6,7 @@ import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.session.connection.Connection;
 import org.evoloop.roomba.session.inference.ActivityEstimate;
+import org.evoloop.roomba.session.inference.CommandEffect;
 import org.evoloop.roomba.session.inference.FrameSpan;
 import org.evoloop.roomba.session.inference.SpotWatch;
 import org.jspecify.annotations.Nullable;
@@ -55,6 +56,10 @@ final class Control {
     private boolean engaged;
     private volatile boolean wanted;
     private volatile boolean regaining;
+    /** The last command, if it ends control and frames may still show the time before it. */
+    private @Nullable Command ending;
+
+    private final FrameSpan sinceEnding = new FrameSpan();
     private @Nullable Command unconfirmed;
     private boolean halted;
     private @Nullable Command again;
@@ -128,8 +133,11 @@ final class Control {
         unconfirmed = null;
         halted = false;
         again = null;
+        ending = null;
         if (command.opcode().endsControl()) {
             unconfirmed = underControl ? command : null;
+            ending = command;
+            sinceEnding.restart();
             // Restart the count: frames already on their way still show control.
             withControl.restart();
         }
@@ -171,9 +179,16 @@ final class Control {
 
     /** Returns whether the robot is known to be idle. */
     private boolean seeControl(boolean now, long nowNanos) {
-        if (now && !underControl) {
+        sinceEnding.count(nowNanos);
+        if (sinceEnding.hasLasted(CommandEffect.SHOW_FRAMES)) {
+            ending = null;
+        }
+        boolean begins = now && !underControl;
+        if (begins && ending == null) {
             // Only at the start of control: a command that ends it takes some frames to show.
             estimate.controlled();
+        } else if (begins) {
+            unconfirmed = ending;
         }
         underControl = now;
         boolean on = underControl && regaining;

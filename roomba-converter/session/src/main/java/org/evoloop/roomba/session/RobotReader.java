@@ -160,12 +160,12 @@ final class RobotReader implements ConnectionOwner {
         if (!now.isUnderControl()) {
             pressed.forEach(this::robotActsOn);
         }
-        SpotWatch.Ending ending = spotWatch.update(values);
+        SpotWatch.Ending ending = spotWatch.update(values, nowNanos);
         if (ending != null) {
             estimate.seenAtRest();
             listeners.forEach(listener -> listener.spotEnded(ending));
         }
-        boolean seen = estimate.update(values, now.isUnderControl(), !control.isWanted());
+        boolean seen = estimate.update(values, now.isUnderControl(), !control.isWanted(), nowNanos);
         // After reporting the end of a spot cleaning, report nothing else, so that its effects are handled first.
         if (seen && ending == null) {
             reportActivity();

@@ -52,7 +52,7 @@ final class Cables {
     void show(int frames, SensorValues values, ManualClock clock) {
         for (int frame = 0; frame < frames; frame++) {
             showAtOnce(1, values);
-            clock.advance(Duration.ofMillis(15));
+            clock.advance(Duration.ofNanos(Frames.APART_NANOS));
         }
     }
 

@@ -6,6 +6,9 @@ import org.evoloop.roomba.oi.SensorValues;
 
 /** Stream frames as a robot might send them. */
 public final class Frames {
+    /** The time between two frames. */
+    public static final long APART_NANOS = 15_000_000;
+
     private Frames() {}
 
     /** A robot at rest in this mode. */

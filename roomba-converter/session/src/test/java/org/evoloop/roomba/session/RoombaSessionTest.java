@@ -141,6 +141,30 @@ class RoombaSessionTest {
     }
 
     @Test
+    void oldFramesThatComeAtOnceDoNotHideWhatACommandHasBegun() {
+        session.takeControl();
+        session.send(new Command.Spot());
+        session.leaveAlone();
+        cables.heard();
+        cables.showAtOnce(2, PASSIVE);
+        cables.showAtOnce(2, CONTROLLED);
+        frames(SpotWatch.QUIET_FRAMES, Frames.cleaning());
+        assertThat(notices).containsExactly("seen SPOT");
+        assertThat(cables.heard()).isEmpty();
+    }
+
+    @Test
+    void aCommandThatIsLostBeforeControlShowsIsRepeated() {
+        session.takeControl();
+        session.send(new Command.Spot());
+        session.leaveAlone();
+        cables.heard();
+        frames(2, PASSIVE);
+        frames(2 * Control.CONFIRM_FRAMES, CONTROLLED);
+        assertThat(cables.heard()).endsWith(new Command.Spot().bytes());
+    }
+
+    @Test
     void controlIsNotTakenBackFromACommandThatEndsIt() {
         session.takeControl();
         frames(SpotWatch.QUIET_FRAMES - 1, PASSIVE);

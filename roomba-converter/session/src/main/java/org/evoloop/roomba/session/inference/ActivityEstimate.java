@@ -10,7 +10,7 @@ import org.evoloop.roomba.oi.SensorValues;
  * is not under control, its motors correct the estimate after other causes: its schedule, an empty battery, being
  * lifted.
  *
- * <p>Time is counted in frames, as in {@link SpotWatch}.
+ * <p>Time is counted as in {@link SpotWatch}.
  *
  * <p>Threading: not thread-safe.
  *
@@ -50,8 +50,10 @@ public final class ActivityEstimate {
     private final Motion motion = new Motion();
     private EstimatedActivity activity = EstimatedActivity.STANDBY;
     private boolean atWork;
-    private int startFramesLeft;
-    private int deafFramesLeft;
+    private final FrameSpan sinceStart = new FrameSpan();
+    private boolean startExpected;
+    private final FrameSpan sincePause = new FrameSpan();
+    private boolean deaf;
 
     /** Before any command and any frame. */
     public ActivityEstimate() {}
@@ -65,7 +67,14 @@ public final class ActivityEstimate {
     public void assume(EstimatedActivity last) {
         forget();
         activity = last;
-        startFramesLeft = last.isWork() ? START_FRAMES : 0;
+        if (last.isWork()) {
+            expectStart();
+        }
+    }
+
+    private void expectStart() {
+        startExpected = true;
+        sinceStart.restart();
     }
 
     /** One of its buttons was pressed while it was not under control. */
@@ -87,7 +96,7 @@ public final class ActivityEstimate {
         // Earlier motor activity says nothing about the effect of the press.
         forget();
         if (activity.isWork()) {
-            startFramesLeft = START_FRAMES;
+            expectStart();
         }
     }
 
@@ -97,12 +106,13 @@ public final class ActivityEstimate {
             activity = EstimatedActivity.ON;
         } else if (command instanceof Command.Power) {
             activity = EstimatedActivity.STANDBY;
-            startFramesLeft = 0;
+            startExpected = false;
         } else if (command.opcode().startsWork()) {
             // Until the pause takes effect, the motors show the earlier activity.
-            deafFramesLeft = activity.isWork() ? CommandEffect.SHOW_FRAMES : 0;
+            deaf = activity.isWork();
+            sincePause.restart();
             activity = activity.isWork() ? EstimatedActivity.ON : begunBy(command);
-            startFramesLeft = START_FRAMES;
+            expectStart();
         }
     }
 
@@ -131,20 +141,22 @@ public final class ActivityEstimate {
     public void forget() {
         motion.forget();
         atWork = false;
-        startFramesLeft = 0;
+        startExpected = false;
     }
 
     /**
      * Handles the next frame.
      *
      * @param workIsNews whether work should be reported; not if it is about to be ended
+     * @param nowNanos the time on a monotonic clock
      * @return whether the robot's activity was observed just now; it may be known already
      */
-    public boolean update(SensorValues values, boolean underControl, boolean workIsNews) {
+    public boolean update(SensorValues values, boolean underControl, boolean workIsNews, long nowNanos) {
         motion.update(values);
-        if (deafFramesLeft > 0) {
-            deafFramesLeft--;
+        if (deaf) {
             motion.forget();
+            sincePause.count(nowNanos);
+            deaf = !sincePause.hasLasted(CommandEffect.SHOW_FRAMES);
         }
         if (underControl) {
             // A command that ends control takes some frames to show; keep its expected effect.
@@ -153,9 +165,11 @@ public final class ActivityEstimate {
         }
         if (motion.poweredFrames() >= SpotWatch.SURE_FRAMES) {
             atWork = true;
-            startFramesLeft = 0;
+            startExpected = false;
         }
-        boolean expectedInVain = startFramesLeft > 0 && --startFramesLeft == 0;
+        sinceStart.count(nowNanos);
+        boolean expectedInVain = startExpected && sinceStart.hasLasted(START_FRAMES);
+        startExpected &= !expectedInVain;
         if (expectedInVain || (atWork && isAtRest())) {
             atWork = false;
             seenAtRest();

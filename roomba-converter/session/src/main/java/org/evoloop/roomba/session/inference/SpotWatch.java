@@ -9,7 +9,8 @@ import org.jspecify.annotations.Nullable;
  * brushes to draw current, and later everything has been at rest for a while.
  *
  * <p>Time is counted in frames of the stream, one every 15 ms: the robot's own clock, which transmission delays do not
- * distort. Lost frames delay the result, but never make it early.
+ * distort. Lost frames delay the result, but never make it early. Only the time since a command also needs a {@link
+ * FrameSpan}, since earlier frames may come after it.
  *
  * <p>Threading: not thread-safe.
  *
@@ -51,7 +52,7 @@ public final class SpotWatch {
 
     private final Motion motion = new Motion();
     private Phase phase = Phase.NONE;
-    private int frames;
+    private final FrameSpan sinceStart = new FrameSpan();
 
     /** Before any command and any frame. */
     public SpotWatch() {}
@@ -59,7 +60,7 @@ public final class SpotWatch {
     /** A spot cleaning was started, by a command or by the robot's own button. */
     public void started() {
         phase = Phase.STARTING;
-        frames = 0;
+        sinceStart.restart();
     }
 
     /** Forgets the spot cleaning: the robot was unreachable, or does something else. */
@@ -67,13 +68,17 @@ public final class SpotWatch {
         phase = Phase.NONE;
     }
 
-    /** Handles the next frame; returns how the spot cleaning ended if it has ended now, else null. */
-    public @Nullable Ending update(SensorValues values) {
+    /**
+     * Handles the next frame; returns how the spot cleaning ended if it has ended now, else null.
+     *
+     * @param nowNanos the time on a monotonic clock
+     */
+    public @Nullable Ending update(SensorValues values, long nowNanos) {
         motion.update(values);
         if (phase == Phase.NONE) {
             return null;
         }
-        frames++;
+        sinceStart.count(nowNanos);
         if (phase == Phase.STARTING && motion.activeFrames() >= SURE_FRAMES && isPassive(values)) {
             phase = Phase.RUNNING;
         }
@@ -86,7 +91,7 @@ public final class SpotWatch {
 
     private @Nullable Ending ending(SensorValues values) {
         if (phase == Phase.STARTING) {
-            return frames >= START_FRAMES ? Ending.NOT_STARTED : null;
+            return sinceStart.hasLasted(START_FRAMES) ? Ending.NOT_STARTED : null;
         }
         if (!isPassive(values)) {
             return Ending.OVERRIDDEN;
@@ -94,7 +99,7 @@ public final class SpotWatch {
         if (motion.restFrames() >= QUIET_FRAMES) {
             return Ending.QUIET;
         }
-        return frames >= LONGEST_FRAMES ? Ending.TOO_LONG : null;
+        return sinceStart.hasLasted(LONGEST_FRAMES) ? Ending.TOO_LONG : null;
     }
 
     private static boolean isPassive(SensorValues values) {

@@ -16,6 +16,7 @@ class ActivityEstimateTest {
     private static final SensorValues DRIVING = Frames.resting(OiMode.PASSIVE).with(Packet.CURRENT, -900);
 
     private final ActivityEstimate estimate = new ActivityEstimate();
+    private long nowNanos;
 
     @BeforeEach
     void switchOn() {
@@ -25,7 +26,8 @@ class ActivityEstimateTest {
     private boolean frames(int count, SensorValues values) {
         boolean reported = false;
         for (int frame = 0; frame < count; frame++) {
-            reported |= estimate.update(values, false, true);
+            nowNanos += Frames.APART_NANOS;
+            reported |= estimate.update(values, false, true, nowNanos);
         }
         return reported;
     }
@@ -52,6 +54,16 @@ class ActivityEstimateTest {
         frames(100, Frames.resting(OiMode.PASSIVE));
 
         assertThat(estimate.activity()).isEqualTo(EstimatedActivity.ON);
+    }
+
+    @Test
+    void oldFramesThatComeAtOnceDoNotMeanThatItsWorkNeverBegan() {
+        estimate.commanded(new Command.Clean());
+        for (int frame = 0; frame < 2 * ActivityEstimate.START_FRAMES; frame++) {
+            assertThat(estimate.update(Frames.resting(OiMode.PASSIVE), false, true, nowNanos))
+                    .isFalse();
+        }
+        assertThat(estimate.activity()).isEqualTo(EstimatedActivity.CLEAN);
     }
 
     @Test

@@ -22,7 +22,7 @@ class CommandEffectTest {
     private long nowNanos;
 
     private @Nullable Command frame(SensorValues values) {
-        nowNanos += 15_000_000;
+        nowNanos += Frames.APART_NANOS;
         return update(values);
     }
 

@@ -8,6 +8,7 @@ import static org.evoloop.roomba.session.Frames.resting;
 import org.evoloop.roomba.oi.OiMode;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
+import org.evoloop.roomba.session.Frames;
 import org.evoloop.roomba.session.inference.SpotWatch.Ending;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
@@ -16,13 +17,19 @@ class SpotWatchTest {
     private static final SensorValues REST = resting(OiMode.PASSIVE);
 
     private final SpotWatch watch = new SpotWatch();
+    private long nowNanos;
+
+    private @Nullable Ending update(SensorValues frame) {
+        nowNanos += Frames.APART_NANOS;
+        return watch.update(frame, nowNanos);
+    }
 
     /** Feeds the same frame this many times; only the last one may bring the ending. */
     private @Nullable Ending feed(SensorValues frame, int times) {
         for (int i = 1; i < times; i++) {
-            assertThat(watch.update(frame)).as("frame %d of %d", i, times).isNull();
+            assertThat(update(frame)).as("frame %d of %d", i, times).isNull();
         }
-        return watch.update(frame);
+        return update(frame);
     }
 
     @Test
@@ -62,7 +69,7 @@ class SpotWatchTest {
         }
         watch.started();
         for (int counts = 0; counts < 300; counts++) {
-            assertThat(watch.update(encoders(counts, -counts))).isNull();
+            assertThat(update(encoders(counts, -counts))).isNull();
         }
         assertThat(feed(encoders(299, -299), SpotWatch.QUIET_FRAMES)).isEqualTo(Ending.QUIET);
     }
@@ -85,8 +92,7 @@ class SpotWatchTest {
     void controlTakenByAClientEndsItAtOnce() {
         watch.started();
         feed(cleaning(), 100);
-        assertThat(watch.update(cleaning().with(Packet.OI_MODE, OiMode.SAFE.code())))
-                .isEqualTo(Ending.OVERRIDDEN);
+        assertThat(update(cleaning().with(Packet.OI_MODE, OiMode.SAFE.code()))).isEqualTo(Ending.OVERRIDDEN);
     }
 
     @Test
@@ -104,11 +110,21 @@ class SpotWatchTest {
         Ending ending = null;
         for (int frame = 0; ending == null; frame++) {
             if (frame % 2 == 0) {
-                ending = watch.update(REST);
+                ending = update(REST);
                 seen++;
             }
         }
         assertThat(seen).isEqualTo(SpotWatch.QUIET_FRAMES);
+    }
+
+    @Test
+    void oldFramesThatComeAtOnceDoNotMeanThatItNeverStarted() {
+        watch.started();
+        for (int frame = 0; frame < 2 * SpotWatch.START_FRAMES; frame++) {
+            assertThat(watch.update(REST, nowNanos)).isNull();
+        }
+        assertThat(feed(cleaning(), 100)).isNull();
+        assertThat(feed(REST, SpotWatch.QUIET_FRAMES)).isEqualTo(Ending.QUIET);
     }
 
     @Test
