@@ -2,7 +2,6 @@ package org.evoloop.statechart;
 
 import static java.util.Objects.requireNonNull;
 
-import java.util.AbstractList;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
@@ -19,8 +18,8 @@ import org.jspecify.annotations.Nullable;
 
 /** Finds every stable state of a machine, and what each event does there. */
 final class Explorer {
-    private static final int MAX_STATES = 100_000;
-    private static final int MAX_MOVES = 1_000_000;
+    static final int MAX_STATES = 100_000;
+    static final int MAX_MOVES = 1_000_000;
     /** For one event in one state: twelve independent guards. */
     private static final int MAX_CASES = 4_096;
 
@@ -175,10 +174,6 @@ final class Explorer {
 
     private List<Move> moves(Reached state) {
         Node node = PlainSteps.alone(net, state.snapshot);
-        if (node != null && PlainSteps.areAll(node)) {
-            node.outgoing.forEach(this::take);
-            return new PlainMoves(node);
-        }
         List<Move> moves = new ArrayList<>();
         if (node == null || node.hasRivals() || !node.deferred().isEmpty()) {
             causes(state.snapshot).forEach((cause, owners) -> {
@@ -249,31 +244,6 @@ final class Explorer {
 
     private Move plain(Link link, Cause cause, Set<Node> left) {
         return new Move(cause, List.of(), alone[link.target.index], PlainSteps.effects(link), false, left, false);
-    }
-
-    /**
-     * The moves of a vertex whose transitions are all plain. Most are, and each of their moves is needed only once, so
-     * they are made then.
-     */
-    private final class PlainMoves extends AbstractList<Move> {
-        private final Node node;
-        private final Set<Node> left;
-
-        PlainMoves(Node node) {
-            this.node = node;
-            this.left = Set.of(node);
-        }
-
-        @Override
-        public Move get(int index) {
-            Link link = node.outgoing.get(index);
-            return plain(link, cause(link.arc.triggers().get(0), node), left);
-        }
-
-        @Override
-        public int size() {
-            return node.outgoing.size();
-        }
     }
 
     /** Adds the moves for a cause. */

@@ -3,6 +3,7 @@ package org.evoloop.statechart;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.State;
@@ -48,19 +49,33 @@ import org.jspecify.annotations.Nullable;
 public final class Flattening {
     private final List<Problem> problems;
     private final @Nullable StateMachine machine;
-    private final @Nullable FlatMachine flat;
+    private final Supplier<Map<State, List<Vertex>>> leaves;
     private final List<Arc> unused;
 
     private Flattening(
-            List<Problem> problems, @Nullable StateMachine machine, @Nullable FlatMachine flat, List<Arc> unused) {
+            List<Problem> problems,
+            @Nullable StateMachine machine,
+            Supplier<Map<State, List<Vertex>>> leaves,
+            List<Arc> unused) {
         this.problems = List.copyOf(problems);
         this.machine = machine;
-        this.flat = flat;
+        this.leaves = leaves;
         this.unused = unused;
+    }
+
+    /** Of a chart without problems, all of whose transitions can be taken. */
+    Flattening(StateMachine machine, Supplier<Map<State, List<Vertex>>> leaves) {
+        this(List.of(), machine, leaves, List.of());
     }
 
     /** Flattens a chart, or finds the problems that prevent it. */
     public static Flattening of(Statechart chart) {
+        Flattening flat = FlatChart.flatten(chart);
+        return flat == null ? explored(chart) : flat;
+    }
+
+    /** Flattens any chart by exploring what can happen in it. */
+    static Flattening explored(Statechart chart) {
         List<Problem> problems = new ArrayList<>();
         Net net = NetBuilder.build(chart, problems);
         if (problems.isEmpty()) {
@@ -81,7 +96,7 @@ public final class Flattening {
             StateMachine machine = flat.machine(explorer.reached(start.target()), start.effects());
             List<Arc> unused =
                     explorer.unused().stream().map(link -> link.arc).distinct().toList();
-            return new Flattening(problems, machine, flat, unused);
+            return new Flattening(problems, machine, flat::leaves, unused);
         } catch (ModelException refused) {
             return failed(
                     List.of(new Problem(chart.place(), String.valueOf(refused.getMessage()), "rename one of them")));
@@ -89,7 +104,7 @@ public final class Flattening {
     }
 
     private static Flattening failed(List<Problem> problems) {
-        return new Flattening(problems, null, null, List.of());
+        return new Flattening(problems, null, Map::of, List.of());
     }
 
     /**
@@ -125,7 +140,7 @@ public final class Flattening {
 
     /** The flat machine's states, each with the drawn innermost states that are active in it, region by region. */
     public Map<State, List<Vertex>> leaves() {
-        return flat == null ? Map.of() : flat.leaves();
+        return leaves.get();
     }
 
     /** The drawn transitions that can never be taken. */

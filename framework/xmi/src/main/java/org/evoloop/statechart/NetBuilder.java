@@ -70,7 +70,7 @@ final class NetBuilder {
         return new Net(chart, tops, nodes, links, named.keySet(), timeTriggers, spontaneous, calm);
     }
 
-    private static boolean isTime(String trigger) {
+    static boolean isTime(String trigger) {
         try {
             return new Event(trigger).timeTrigger().isPresent();
         } catch (ModelException malformed) {

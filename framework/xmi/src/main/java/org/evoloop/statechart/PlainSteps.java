@@ -26,23 +26,6 @@ final class PlainSteps {
         return link.simple && target.zones.isEmpty() && !target.wantsCompletion();
     }
 
-    /** Whether everything that can happen in a vertex is a plain transition on one event, each on another one. */
-    static boolean areAll(Node node) {
-        if (!node.hasOnlySimple()
-                || node.hasRivals()
-                || !node.deferred().isEmpty()
-                || !node.onCompletion().isEmpty()
-                || node.triggerCount() != node.outgoing.size()) {
-            return false;
-        }
-        for (Link link : node.outgoing) {
-            if (!isPlain(link)) {
-                return false;
-            }
-        }
-        return true;
-    }
-
     /**
      * The only transition of {@code node} on an event, if it only leaves one state and enters another, whatever is
      * around and beside them; else null.
@@ -58,9 +41,11 @@ final class PlainSteps {
 
     /** The behaviors that run in such a step, in order. */
     static List<String> effects(Link link) {
-        List<String> exit = link.source.exit();
-        List<String> own = link.arc.effects();
-        List<String> entry = link.target.entry();
+        return effects(link.source.exit(), link.arc.effects(), link.target.entry());
+    }
+
+    /** All of these, in this order; most transitions have none. */
+    static List<String> effects(List<String> exit, List<String> own, List<String> entry) {
         if (exit.isEmpty() && own.isEmpty() && entry.isEmpty()) {
             return List.of();
         }
