@@ -110,6 +110,7 @@ final class FlatChart {
         return first;
     }
 
+    /** Adds a transition for each event; returns whether there is one at least, and none needs the general way. */
     private boolean addAll(Arc arc, Row source, Row target) {
         List<String> effects = PlainSteps.effects(
                 source.drawn().exit(), arc.effects(), target.drawn().entry());
