@@ -121,9 +121,13 @@ public final class BrokerAddress {
         }
     }
 
-    /** The text without anything that looks like a password. */
+    /**
+     * The text without anything that may be a password: what is between the first colon, however it is written, and the
+     * last {@code @}, and the values of unknown parameters.
+     */
     private static String masked(String url) {
-        return url.replaceFirst("(//[^/@]*?):.*@", "$1:***@");
+        return url.replaceFirst("^((?:[A-Za-z]+:/+|mqtts?:)?+.*?)(:|%3[Aa]).*@", "$1$2***@")
+                .replaceAll("([?&](?!(?:id|ca|discovery)=)[^=&@]*=)[^&@]*", "$1***");
     }
 
     boolean tls() {

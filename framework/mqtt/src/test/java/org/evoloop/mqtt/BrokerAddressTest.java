@@ -85,7 +85,23 @@ class BrokerAddressTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"mqtt://ha:s3cret@b", "mqtt://ha:s3cret@b ad", "mqtt://ha:s3@cret@b", "http://ha:s3cret@b"})
+    @ValueSource(
+            strings = {
+                "mqtt://ha:s3cret@b",
+                "mqtt://ha:s3cret@b ad",
+                "mqtt://ha:s3@cret@b",
+                "http://ha:s3cret@b",
+                "mqtt://ha%3As3cret@b",
+                "mqtt://ha:s3/cret@b",
+                "mqtt://ha:s3?x=cret@b",
+                "mqtt://ha@home:s3cret@b",
+                "mqtt://h/a:s3cret@b",
+                "mqtt:/ha:s3cret@b",
+                "mqtt:ha:s3cret@b",
+                "ha:s3cret@b",
+                "mqtt://b?user=ha&password=s3cret",
+                "mqtt://b:99999?password=s3cret&id=x"
+            })
     void aPasswordInTheUrlIsRefusedAndNotShown(String url) {
         assertThatThrownBy(() -> BrokerAddress.parse(url))
                 .isInstanceOf(IllegalArgumentException.class)
