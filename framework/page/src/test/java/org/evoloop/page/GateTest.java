@@ -138,9 +138,21 @@ class GateTest {
         assertThat(ask("DELETE", "/about", "", "Host: " + own(), "Origin: http://" + own()))
                 .startsWith("HTTP/1.1 405")
                 .contains("Allow: GET");
-        assertThat(ask("HEAD", "/about", "", "Host: " + own(), "Origin: http://" + own()))
+        for (String path : new String[] {"/", "/about", "/history"}) {
+            assertThat(ask("HEAD", path, "", "Host: " + own()))
+                    .startsWith("HTTP/1.1 200")
+                    .endsWith("\r\n\r\n");
+        }
+        assertThat(ask("HEAD", "/", "", "Host: evil.example")).startsWith("HTTP/1.1 403");
+        assertThat(ask("HEAD", "/session", "", "Host: " + own()))
                 .startsWith("HTTP/1.1 405")
                 .endsWith("\r\n\r\n");
+        assertThat(ask("HEAD", "/events", "", "Host: " + own()))
+                .startsWith("HTTP/1.1 405")
+                .contains("Allow: GET\r\n");
+        assertThat(ask("POST", "/events", "", "Host: " + own(), "Origin: http://" + own()))
+                .startsWith("HTTP/1.1 405");
+        assertThat(ask("GET", "/events/x", "", "Host: " + own())).startsWith("HTTP/1.1 404");
         assertThat(ask("GET", "/picture?number=9", "", "Host: " + own())).startsWith("HTTP/1.1 404");
         assertThat(ask("GET", "/history?before=x", "", "Host: " + own())).startsWith("HTTP/1.1 200");
     }
