@@ -17,6 +17,8 @@ import org.junit.jupiter.api.io.TempDir;
 @EnabledOnOs(OS.LINUX)
 @Timeout(180)
 class ConfigTest {
+    private static final Path ROOT = Path.of(System.getProperty("evoloop.root"));
+
     @TempDir
     Path folder;
 
@@ -119,6 +121,23 @@ class ConfigTest {
         assertThat(result.out()).contains("start: false").contains("# models:").contains("# port:");
         assertThat(result.err()).isEmpty();
         assertThat(result.status()).isZero();
+    }
+
+    @Test
+    void theGuidesFileIsAccepted() throws Exception {
+        String guide = Files.readString(ROOT.resolve("docs/configuration.md"));
+        Path file = file(guide.replaceFirst("(?s).*?```yaml\n(.*?)```.*", "$1"));
+        Files.writeString(folder.resolve("mqtt-password"), "s3cret");
+        Path models = Files.createDirectory(folder.resolve("models"));
+        Files.copy(ROOT.resolve("models/roomba.xml"), models.resolve("roomba.xml"));
+        for (String[] more : new String[][] {{}, {"--simulate"}}) {
+            List<String> arguments = new ArrayList<>(List.of("--config", file.toString(), "--print-config"));
+            arguments.addAll(List.of(more));
+            Program.Result result = Program.run(folder, arguments.toArray(String[]::new));
+            assertThat(result.err()).isEmpty();
+            assertThat(result.out()).contains("clean-at: ['MON,FRI 09:00', 'SAT 11:00']");
+            assertThat(result.status()).isZero();
+        }
     }
 
     @Test
