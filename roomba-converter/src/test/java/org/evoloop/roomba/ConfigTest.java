@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -124,12 +125,22 @@ class ConfigTest {
     }
 
     @Test
-    void theGuidesFileIsAccepted() throws Exception {
+    void theFilesOfGuideAndManualAreAccepted() throws Exception {
         String guide = Files.readString(ROOT.resolve("docs/configuration.md"));
-        Path file = file(guide.replaceFirst("(?s).*?```yaml\n(.*?)```.*", "$1"));
+        requireAccepted(guide.replaceFirst("(?s).*?```yaml\n(.*?)```.*", "$1"));
+        String manual = Files.readString(ROOT.resolve("framework/package/man/evoloop.yaml.5"));
+        requireAccepted(manual.replaceFirst("(?s).*\\.SH EXAMPLE\n\\.nf\n(.*?)\\.fi.*", "$1")
+                .replace("\\-", "-")
+                .replace("/usr/share/evoloop/models", "models"));
+    }
+
+    /** Beside the file are its models and its password. */
+    private void requireAccepted(String text) throws Exception {
+        Path file = file(text);
         Files.writeString(folder.resolve("mqtt-password"), "s3cret");
-        Path models = Files.createDirectory(folder.resolve("models"));
-        Files.copy(ROOT.resolve("models/roomba.xml"), models.resolve("roomba.xml"));
+        Path models = Files.createDirectories(folder.resolve("models"));
+        Files.copy(
+                ROOT.resolve("models/roomba.xml"), models.resolve("roomba.xml"), StandardCopyOption.REPLACE_EXISTING);
         for (String[] more : new String[][] {{}, {"--simulate"}}) {
             List<String> arguments = new ArrayList<>(List.of("--config", file.toString(), "--print-config"));
             arguments.addAll(List.of(more));
