@@ -111,6 +111,11 @@ public final class Ctl {
         if (line.contains("\n") || line.contains("\r")) {
             throw new IllegalArgumentException("a command is one line");
         }
+        // The instance would hang up before it has read all, and its answer could be lost with the rest.
+        if (line.getBytes(StandardCharsets.UTF_8).length >= Connection.LONGEST_LINE) {
+            throw new IllegalArgumentException(
+                    "the command is longer than " + (Connection.LONGEST_LINE - 1) + " bytes");
+        }
         return line;
     }
 

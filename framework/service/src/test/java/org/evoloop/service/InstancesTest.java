@@ -115,6 +115,8 @@ class InstancesTest {
             assertThat(ctl.call(List.of())).isZero();
             assertThat(ctl.call(List.of("lamp", "press", "a b", "it's"))).isZero();
             assertThat(ctl.call(List.of("lamp", "fail"))).isEqualTo(1);
+            assertThat(ctl.call(List.of("lamp", "x".repeat(4095)))).isZero();
+            assertThat(ctl.call(List.of("lamp", "x".repeat(100_000)))).isEqualTo(2);
             assertThat(ctl.call(List.of("lump", "status"))).isEqualTo(2);
             assertThat(ctl.call(List.of("lamp"))).isEqualTo(2);
             assertThat(ctl.call(List.of("a b", "status"))).isEqualTo(2);
@@ -123,6 +125,7 @@ class InstancesTest {
         assertThat(text.toString(StandardCharsets.UTF_8).lines())
                 .contains("lamp", "press 'a b' \"it's\"", "no")
                 .anyMatch(line -> line.startsWith("error: no instance named lump is running; did you mean lamp?"))
+                .contains("error: the command is longer than 4095 bytes")
                 .contains("error: give a command for lamp: ctl lamp help lists its commands")
                 .doesNotContain("dead");
     }
