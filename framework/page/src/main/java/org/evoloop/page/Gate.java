@@ -76,7 +76,8 @@ final class Gate {
             return "another site's page asks for this";
         }
         String origin = headers.getFirst("Origin");
-        boolean foreign = origin != null && !origin.equals("http://" + called);
+        // A browser behind a TLS proxy has the page from https, at the same name.
+        boolean foreign = origin != null && !origin.equals("http://" + called) && !origin.equals("https://" + called);
         return foreign || (origin == null && !isReading(exchange)) ? "another site's page asks for this" : null;
     }
 

@@ -89,7 +89,7 @@ class GateTest {
             "Origin: null",
             "Origin: http://127.0.0.1:1",
             "X-No: origin",
-            "Origin: https://" + own()
+            "Origin: https://127.0.0.1"
         }) {
             assertThat(ask("POST", "/command", "start", "Host: " + own(), foreign, cookie))
                     .as(foreign)
@@ -107,6 +107,17 @@ class GateTest {
         assertThat(ask("GET", "/events", "", "Host: " + own(), "Sec-Fetch-Site: cross-site"))
                 .startsWith("HTTP/1.1 403");
         assertThat(shown.converter.status().loop()).isNotEqualTo(LoopState.RUNNING);
+    }
+
+    @Test
+    void aTlsProxyInFrontPassesTheControlsOn() throws IOException {
+        String host = "Host: localhost";
+        String origin = "Origin: https://localhost";
+        String answer = ask("POST", "/session", shown.token, host, origin, "Sec-Fetch-Site: same-origin");
+        assertThat(answer).startsWith("HTTP/1.1 200");
+        cookie = answer.replaceFirst("(?s).*Set-cookie: ([^;]+);.*", "Cookie: $1");
+        assertThat(ask("POST", "/command", "start", host, origin, cookie)).startsWith("HTTP/1.1 200");
+        assertThat(shown.converter.status().loop()).isEqualTo(LoopState.RUNNING);
     }
 
     @Test
