@@ -136,6 +136,7 @@ class DebianTest(unittest.TestCase):
         self.assertEqual(self.completed(root, "evoloop", "roomba", "--sim"), ["--simulate"])
         self.assertEqual(self.completed(root, "evoloop", "run", ""), ["lamp", "roomba"])
         self.assertIn("search-limit", self.do(root, "evoloop roomba --config /etc/evoloop/roomba.yaml --print-config"))
+        self.assertIn("/tmp/é", self.do(root, "env -u LC_ALL evoloop lightbulb --journal /tmp/é --print-config"))
         self.assertIn("names no program", self.do(root, "echo 'x: y' > /etc/evoloop/x.yaml; evoloop run x", status=2))
         self.do(root, "rm /etc/evoloop/x.yaml")
         self.do(root, "systemd-analyze verify evoloop@roomba.service")

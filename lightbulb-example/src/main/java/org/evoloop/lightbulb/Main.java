@@ -43,7 +43,32 @@ public final class Main {
                     "Runs the converter of a lamp whose firmware knows one event, switch. It reads commands from standard input: type "
                             + "start, then switch (the wall switch; while the lamp is on, twice within 2 s for the second "
                             + "light), status, history, exit; help lists all commands.")
-            .and(Options.of(MODELS), ServiceOptions.OPTIONS, PageOptions.OPTIONS, MqttOptions.OPTIONS, Wiring.OPTIONS);
+            .and(Options.of(MODELS), ServiceOptions.OPTIONS, PageOptions.OPTIONS, MqttOptions.OPTIONS, Wiring.OPTIONS)
+            .checking((settings, mistakes) -> settings.get(MODELS)
+                    .ifPresent(file ->
+                            mistakes.tried("models", ModelException.class::isInstance, () -> Models.read(file))));
+
+    /** Both models, all machines of their file, and the rules about time in the properties file beside it. */
+    private record Models(XmiFile machines, ModelPair pair, TimeRules rules) {
+
+        /** @throws ModelException if they cannot be used */
+        static Models read(Path file) {
+            XmiFile machines = XmiFile.read(file);
+            ModelPair pair = new ModelPair(machines.pick("original"), machines.pick("new"));
+            Path properties = new ModelReference(file, Optional.of("new")).beside(PropertyFile.ENDING);
+            try {
+                return new Models(
+                        machines,
+                        pair,
+                        Files.exists(properties)
+                                ? PropertyFile.parse(properties.toString(), Files.readString(properties), pair)
+                                        .time()
+                                : TimeRules.NONE);
+            } catch (IOException unreadable) {
+                throw new ModelException(properties + ": cannot be read: " + unreadable.getMessage(), unreadable);
+            }
+        }
+    }
 
     public static void main(String[] arguments) {
         try {
@@ -54,23 +79,14 @@ public final class Main {
         }
     }
 
-    /** The rules about time in the properties file beside the models. */
-    private static TimeRules timeRules(Path models, ModelPair pair) throws IOException {
-        Path file = new ModelReference(models, Optional.of("new")).beside(PropertyFile.ENDING);
-        return Files.exists(file)
-                ? PropertyFile.parse(file.toString(), Files.readString(file), pair)
-                        .time()
-                : TimeRules.NONE;
-    }
-
     private static int run(Settings settings) throws IOException {
         if (settings.answers(System.out)) {
             return 0;
         }
         Path file = settings.get(MODELS).orElseGet(() -> ModelFiles.find("models/light-bulb.xml", Main.class));
         ServiceOptions unattended = ServiceOptions.of(settings);
-        XmiFile machines = XmiFile.read(file);
-        ModelPair models = new ModelPair(machines.pick("original"), machines.pick("new"));
+        Models read = Models.read(file);
+        ModelPair models = read.pair();
 
         Lamp lamp = new Lamp();
         PushMonitor wallSwitch = new PushMonitor("WallSwitch");
@@ -83,9 +99,8 @@ public final class Main {
             wiring.connect(converter, lamp, clock);
             converter.addKnowledge(new LampKnowledge(models, lamp));
             converter.addKnowledgeFactory(other -> new LampKnowledge(other, lamp));
-            TimeRules written = timeRules(file, models);
-            converter.watch(
-                    (running, at, nanos) -> running.equals(models) ? new TimeWatch(written, running, at, nanos) : null);
+            converter.watch((running, at, nanos) ->
+                    running.equals(models) ? new TimeWatch(read.rules(), running, at, nanos) : null);
             Path journal = unattended.journal();
             if (journal != null) {
                 converter.journal(Journal.in(journal));
@@ -96,7 +111,7 @@ public final class Main {
             Console console = new Console(converter, System.in, System.out, System.err);
             console.addCommand(ConsoleCommand.of(
                     "switch", "operates the wall switch", (words, out) -> wallSwitch.press("switch")));
-            console.evolvesBy(NewModels.offering(machines.references(), XmiFile::machine));
+            console.evolvesBy(NewModels.offering(read.machines().references(), XmiFile::machine));
             Page.open(PageOptions.of(settings), console, System.err);
             MqttOptions.broker(settings).ifPresent(broker -> {
                 HomeAssistant home = new HomeAssistant(console, broker).open();

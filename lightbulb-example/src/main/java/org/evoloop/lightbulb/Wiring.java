@@ -1,7 +1,9 @@
 package org.evoloop.lightbulb;
 
 import java.io.IOException;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.regex.Pattern;
 import org.evoloop.config.Option;
 import org.evoloop.config.Options;
@@ -28,7 +30,14 @@ final class Wiring implements AutoCloseable {
             text -> numbers(text, 2, "--lamp-pins takes two GPIO numbers, as in --lamp-pins 23,24"));
 
     /** The options that name the pins. */
-    static final Options OPTIONS = Options.of(SWITCH_PIN, LAMP_PINS);
+    static final Options OPTIONS = Options.of(SWITCH_PIN, LAMP_PINS).checking((settings, mistakes) -> {
+        Set<Integer> taken = new HashSet<>(settings.get(SWITCH_PIN).orElse(List.of()));
+        for (int pin : settings.get(LAMP_PINS).orElse(List.of())) {
+            if (!taken.add(pin)) {
+                mistakes.add("--lamp-pins has GPIO " + pin + ", which is used already; give each a pin of its own");
+            }
+        }
+    });
 
     private static final Pattern NUMBER = Pattern.compile("[0-9]{1,2}");
 
@@ -47,7 +56,12 @@ final class Wiring implements AutoCloseable {
         if (numbers.size() != count || !numbers.stream().allMatch(NUMBER.asMatchPredicate())) {
             throw new IllegalArgumentException(wanted + "; not '" + given + "'");
         }
-        return numbers.stream().map(Integer::valueOf).toList();
+        List<Integer> pins = numbers.stream().map(Integer::valueOf).toList();
+        if (pins.stream().anyMatch(pin -> pin < Pins.LOWEST || pin > Pins.HIGHEST)) {
+            throw new IllegalArgumentException(wanted + ", and the header has GPIO " + Pins.LOWEST + " to "
+                    + Pins.HIGHEST + "; not '" + given + "'");
+        }
+        return pins;
     }
 
     /**

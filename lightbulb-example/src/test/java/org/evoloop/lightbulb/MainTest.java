@@ -181,6 +181,14 @@ class MainTest {
                         "  " + file + ":2: start: 'yes' is neither true nor false; write one of them",
                         "  " + file + ":3: there is no option nmae; did you mean name?");
 
+        Files.writeString(file.toPath(), "page: 99999\nmodels: " + file + "\nswitch-pin: 28\n");
+        assertThat(refusal(program(ROOT, "--config", file.toString(), "--print-config")))
+                .satisfiesExactly(
+                        line -> assertThat(line).isEqualTo("error: the options have 3 mistakes:"),
+                        line -> assertThat(line).startsWith("  " + file + ":1: page takes a port"),
+                        line -> assertThat(line).startsWith("  " + file + ":2: " + file + ": is damaged or not XML"),
+                        line -> assertThat(line).startsWith("  " + file + ":3: switch-pin takes a GPIO number"));
+
         Files.writeString(file.toPath(), "program: lightbulb\nmodels: " + ROOT + "/models/light-bulb.xml\n");
         Process lamp = program(folder, "--config", file.toString());
         try (Writer keyboard = lamp.outputWriter(StandardCharsets.UTF_8)) {

@@ -86,5 +86,12 @@ class WiringTest {
                 .hasMessageContaining("--switch-pin takes a GPIO number, as in --switch-pin 17; not 'x'");
         assertThatThrownBy(() -> wiring("--lamp-pins", "23"))
                 .hasMessageContaining("--lamp-pins takes two GPIO numbers, as in --lamp-pins 23,24; not '23'");
+        assertThatThrownBy(() -> wiring("--switch-pin", "28", "--lamp-pins", "23,1"))
+                .hasMessageContaining("--switch-pin 17, and the header has GPIO 2 to 27; not '28'")
+                .hasMessageContaining("--lamp-pins 23,24, and the header has GPIO 2 to 27; not '23,1'");
+        assertThatThrownBy(() -> wiring("--lamp-pins", "23,23"))
+                .hasMessage("--lamp-pins has GPIO 23, which is used already; give each a pin of its own");
+        assertThatThrownBy(() -> wiring("--switch-pin", "24", "--lamp-pins", "23,24"))
+                .hasMessage("--lamp-pins has GPIO 24, which is used already; give each a pin of its own");
     }
 }

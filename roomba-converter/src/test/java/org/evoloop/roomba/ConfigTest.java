@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -17,6 +18,8 @@ import org.junit.jupiter.api.io.TempDir;
 @EnabledOnOs(OS.LINUX)
 @Timeout(180)
 class ConfigTest {
+    private static final Path ROOT = Path.of(System.getProperty("evoloop.root"));
+
     @TempDir
     Path folder;
 
@@ -119,6 +122,33 @@ class ConfigTest {
         assertThat(result.out()).contains("start: false").contains("# models:").contains("# port:");
         assertThat(result.err()).isEmpty();
         assertThat(result.status()).isZero();
+    }
+
+    @Test
+    void theFilesOfGuideAndManualAreAccepted() throws Exception {
+        String guide = Files.readString(ROOT.resolve("docs/configuration.md"));
+        requireAccepted(guide.replaceFirst("(?s).*?```yaml\n(.*?)```.*", "$1"));
+        String manual = Files.readString(ROOT.resolve("framework/package/man/evoloop.yaml.5"));
+        requireAccepted(manual.replaceFirst("(?s).*\\.SH EXAMPLE\n\\.nf\n(.*?)\\.fi.*", "$1")
+                .replace("\\-", "-")
+                .replace("/usr/share/evoloop/models", "models"));
+    }
+
+    /** Beside the file are its models and its password. */
+    private void requireAccepted(String text) throws Exception {
+        Path file = file(text);
+        Files.writeString(folder.resolve("mqtt-password"), "s3cret");
+        Path models = Files.createDirectories(folder.resolve("models"));
+        Files.copy(
+                ROOT.resolve("models/roomba.xml"), models.resolve("roomba.xml"), StandardCopyOption.REPLACE_EXISTING);
+        for (String[] more : new String[][] {{}, {"--simulate"}}) {
+            List<String> arguments = new ArrayList<>(List.of("--config", file.toString(), "--print-config"));
+            arguments.addAll(List.of(more));
+            Program.Result result = Program.run(folder, arguments.toArray(String[]::new));
+            assertThat(result.err()).isEmpty();
+            assertThat(result.out()).contains("clean-at: ['MON,FRI 09:00', 'SAT 11:00']");
+            assertThat(result.status()).isZero();
+        }
     }
 
     @Test

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.evoloop.statemachine.Names;
 
 /**
  * The options of a program, or of a part of one, and the checks across them.
@@ -151,7 +152,7 @@ public final class Options {
         if (entry.readable() && !named.equals(List.of(program))) {
             mistakes.at(
                     entry.origin(),
-                    "program is " + String.join(", ", named) + ", but this is " + program
+                    "program is " + Names.shown(String.join(", ", named)) + ", but this is " + program
                             + "; name another file, or correct the line");
         }
         return true;

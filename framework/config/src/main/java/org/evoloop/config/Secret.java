@@ -2,6 +2,8 @@ package org.evoloop.config;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -38,7 +40,7 @@ public record Secret(Option<Path> file, String variable) {
     /**
      * The secret; empty if there is none.
      *
-     * @throws IllegalArgumentException if its file cannot be read, or is empty
+     * @throws IllegalArgumentException if its file cannot be read, or does not hold one
      */
     public Optional<String> in(Settings settings) {
         Optional<Path> named = settings.get(file);
@@ -48,18 +50,30 @@ public record Secret(Option<Path> file, String variable) {
     }
 
     private String read(Path from) {
-        String text;
         try (InputStream in = Files.newInputStream(from)) {
-            text = new String(in.readNBytes(LONGEST), StandardCharsets.UTF_8).strip();
+            byte[] bytes = in.readNBytes(LONGEST + 1);
+            if (bytes.length > LONGEST) {
+                throw refused(
+                        from, "is larger than " + LONGEST + " bytes; name a file that holds nothing but the secret");
+            }
+            String text = StandardCharsets.UTF_8
+                    .newDecoder()
+                    .decode(ByteBuffer.wrap(bytes))
+                    .toString()
+                    .strip();
+            if (text.isEmpty()) {
+                throw refused(from, "is empty; write the secret into it");
+            }
+            return text;
+        } catch (CharacterCodingException otherEncoding) {
+            throw refused(from, "is not text in UTF-8; save it in this encoding");
         } catch (IOException unreadable) {
-            throw new IllegalArgumentException("--" + file.name() + " is " + from
-                    + ", which cannot be read; check that it is there, and that this " + "program's user may read it");
+            throw refused(from, "cannot be read; check that it is there, and that this program's user may read it");
         }
-        if (text.isEmpty()) {
-            throw new IllegalArgumentException(
-                    "--" + file.name() + " is " + from + ", which is empty; write the secret into it");
-        }
-        return text;
+    }
+
+    private IllegalArgumentException refused(Path from, String why) {
+        return new IllegalArgumentException("--" + file.name() + " is " + from + ", which " + why);
     }
 
     /** Its origin: {@code (set, from FILE)}; never its value. */

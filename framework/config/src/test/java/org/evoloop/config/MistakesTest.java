@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -83,6 +84,22 @@ class MistakesTest {
     }
 
     @Test
+    void controlCharactersAreNotPassedOnToTheTerminal() throws IOException {
+        Path file = Files.writeString(
+                folder.resolve("fan.yaml"),
+                "simulate: true\nprogram: \"\\e[2J\"\n\"a\\nerror: b\": 1\n\"c\\x9bd\": 1\n");
+        assertThatThrownBy(() -> FanOptions.read("--config", file.toString()))
+                .message()
+                .satisfies(error -> assertThat(
+                                error.replace(folder.toString(), "D").lines())
+                        .containsExactly(
+                                "the options have 3 mistakes:",
+                                "  D/fan.yaml:2: program is ?[2J, but this is fan; name another file, or correct the line",
+                                "  D/fan.yaml:3: there is no option a?error: b; see fan --help",
+                                "  D/fan.yaml:4: there is no option c?d; see fan --help"));
+    }
+
+    @Test
     void aSecretThatCannotBeHadIsAMistake() throws IOException {
         Path empty = Files.createFile(folder.resolve("empty"));
         assertThatThrownBy(() -> FanOptions.read("--simulate", "--fan-password-file", empty.toString()))
@@ -92,6 +109,14 @@ class MistakesTest {
                         "--fan-password-file",
                         folder.resolve("no").toString()))
                 .hasMessageContaining("which cannot be read; check that it is there");
+        Path latin = Files.writeString(folder.resolve("latin"), "gehe\u00efm", StandardCharsets.ISO_8859_1);
+        assertThatThrownBy(() -> FanOptions.read("--simulate", "--fan-password-file", latin.toString()))
+                .hasMessage(
+                        "--fan-password-file is " + latin + ", which is not text in UTF-8; save it in this encoding");
+        Path large = Files.writeString(folder.resolve("large"), "s".repeat(4097));
+        assertThatThrownBy(() -> FanOptions.read("--simulate", "--fan-password-file", large.toString()))
+                .hasMessage("--fan-password-file is " + large
+                        + ", which is larger than 4096 bytes; name a file that holds nothing but the secret");
         assertThat(FanOptions.PASSWORD.in(FanOptions.ALL.read(List.of("--simulate"), Map.of("FAN_PASSWORD", "s3cret"))))
                 .contains("s3cret");
     }

@@ -3,6 +3,7 @@ package org.evoloop.statemachine;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
@@ -17,11 +18,18 @@ public final class Names {
     /** A longer name is not a typing error, and the search for similar ones takes time quadratic in its length. */
     private static final int LONGEST = 200;
 
+    private static final Pattern CONTROL = Pattern.compile("\\p{Cc}");
+
     private Names() {}
 
-    /** {@code name} for messages, truncated to {@value #LONGEST} characters. */
+    /**
+     * {@code name} for messages, truncated to {@value #LONGEST} characters, with {@code ?} for each control character,
+     * since these could change a terminal or look like a second message.
+     */
     public static String shown(String name) {
-        return name.length() <= LONGEST ? name : name.substring(0, LONGEST) + "... (" + name.length() + " letters)";
+        String begin =
+                name.length() <= LONGEST ? name : name.substring(0, LONGEST) + "... (" + name.length() + " letters)";
+        return CONTROL.matcher(begin).replaceAll("?");
     }
 
     /**

@@ -3,6 +3,7 @@ package org.evoloop.http;
 import com.sun.net.httpserver.Headers;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -17,6 +18,8 @@ import org.jspecify.annotations.Nullable;
 record Door(String host, @Nullable String token) {
     private static final int SHORTEST_TOKEN = 16;
     private static final String SCHEME = "Bearer ";
+    private static final Pattern OWN =
+            Pattern.compile("(?i)(?:localhost|[0-9]+(?:\\.[0-9]+){3}|\\[[0-9a-f:.]+])(?::[0-9]*)?");
 
     static Door loopback() {
         return new Door("127.0.0.1", null);
@@ -32,7 +35,16 @@ record Door(String host, @Nullable String token) {
 
     boolean isFromAPage(Headers headers) {
         String site = headers.getFirst("Sec-Fetch-Site");
-        return headers.containsKey("Origin") || (site != null && !site.equals("none"));
+        return headers.containsKey("Origin") || (site != null && !site.equals("none")) || isMisled(headers);
+    }
+
+    /**
+     * Whether a name leads here that may be another site's (DNS rebinding): a browser then takes its page and this
+     * server for one site, and sends neither of the headers above. A page does not know the token.
+     */
+    private boolean isMisled(Headers headers) {
+        String called = headers.getFirst("Host");
+        return token == null && called != null && !OWN.matcher(called).matches();
     }
 
     boolean knowsToken(Headers headers) {

@@ -110,7 +110,10 @@ final class RequestServer implements AutoCloseable {
         String path = exchange.getRequestURI().getPath();
         Consumer<Values> handler = requests.get(exchange.getRequestMethod() + " " + path);
         if (door.isFromAPage(exchange.getRequestHeaders())) {
-            answer(exchange, TURNED_AWAY, "requests of web pages are refused");
+            answer(
+                    exchange,
+                    TURNED_AWAY,
+                    "requests of web pages are refused; a program addresses this computer as 127.0.0.1 or localhost");
         } else if (!door.knowsToken(exchange.getRequestHeaders())) {
             exchange.getResponseHeaders().set("WWW-Authenticate", "Bearer");
             answer(exchange, NO_TOKEN, "a token is needed, as Authorization: Bearer TOKEN");

@@ -33,6 +33,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.slf4j.LoggerFactory;
 
@@ -94,7 +95,7 @@ class HttpMonitorTest {
         try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), monitor.port())) {
             socket.setSoTimeout(20_000);
             socket.getOutputStream()
-                    .write(("POST /switch HTTP/1.1\r\nHost: x\r\nTransfer-Encoding: chunked\r\n\r\n" + chunk)
+                    .write(("POST /switch HTTP/1.1\r\nHost: localhost\r\nTransfer-Encoding: chunked\r\n\r\n" + chunk)
                             .getBytes(StandardCharsets.US_ASCII));
             socket.shutdownOutput();
             socket.getInputStream().readAllBytes();
@@ -182,6 +183,25 @@ class HttpMonitorTest {
         assertThat(status(to("/switch").header("Sec-Fetch-Site", "none"))).isEqualTo(204);
     }
 
+    @ParameterizedTest
+    @CsvSource({
+        "localhost, 204",
+        "127.0.0.1:8090, 204",
+        "[::1]:8090, 204",
+        "evil.example:8090, 403",
+        "1.evil.example, 403"
+    })
+    void anotherSitesNameThatLeadsHereIsRefused(String host, int status) throws Exception {
+        try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), monitor.port())) {
+            socket.setSoTimeout(20_000);
+            socket.getOutputStream()
+                    .write(("GET /switch HTTP/1.1\r\nConnection: close\r\nHost: " + host + "\r\n\r\n")
+                            .getBytes(StandardCharsets.US_ASCII));
+            assertThat(new String(socket.getInputStream().readAllBytes(), StandardCharsets.US_ASCII))
+                    .startsWith("HTTP/1.1 " + status);
+        }
+    }
+
     @Test
     void othersThanThisMachineNeedTheToken() throws Exception {
         assertThat(InetAddress.getByName(Door.loopback().host()).isLoopbackAddress())
@@ -219,7 +239,7 @@ class HttpMonitorTest {
     @ValueSource(
             strings = {
                 "POST /switch HTTP/1.1\r\nHost: la",
-                "POST /switch HTTP/1.1\r\nHost: lamp\r\nContent-Length: 5\r\n\r\nab"
+                "POST /switch HTTP/1.1\r\nHost: localhost\r\nContent-Length: 5\r\n\r\nab"
             })
     void halfRequestsHoldFewThreadsForALimitedTime(String half) throws Exception {
         List<Socket> slow = new ArrayList<>();
@@ -248,8 +268,8 @@ class HttpMonitorTest {
     @ValueSource(
             strings = {
                 "POST /switch HTTP/1.1\r\nContent-Length: 5\r\n\r\nab",
-                "POST /nowhere HTTP/1.1\r\nHost: lamp\r\nContent-Length: 5\r\n\r\nab",
-                "POST /nowhere HTTP/1.1\r\nHost: lamp\r\nTransfer-Encoding: chunked\r\n\r\nFFFFFFFF\r\n"
+                "POST /nowhere HTTP/1.1\r\nHost: localhost\r\nContent-Length: 5\r\n\r\nab",
+                "POST /nowhere HTTP/1.1\r\nHost: localhost\r\nTransfer-Encoding: chunked\r\n\r\nFFFFFFFF\r\n"
             })
     void requestsThatBreakOffUseUpNoConnections(String request) throws Exception {
         // More than there may be connections.

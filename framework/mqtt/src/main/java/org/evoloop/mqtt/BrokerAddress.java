@@ -6,6 +6,8 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import javax.net.ssl.TrustManagerFactory;
 import org.jspecify.annotations.Nullable;
 
@@ -35,14 +37,31 @@ public final class BrokerAddress {
     private final @Nullable TrustManagerFactory trust;
     private final Map<String, String> parameters;
 
-    private final URI uri;
+    /** A URL's part between the slashes; without a port it is -1. */
+    private record Place(@Nullable String user, String host, int port) {
+        private static final Pattern WITH_UNDERSCORE =
+                Pattern.compile("(?:(.*)@)?([A-Za-z0-9.-]*_[A-Za-z0-9._-]*)(?::([0-9]{1,5}))?");
 
-    private BrokerAddress(URI uri, Map<String, String> parameters, @Nullable String password) {
-        this.uri = uri;
-        this.tls = "mqtts".equals(uri.getScheme());
-        this.host = uri.getHost();
-        this.port = uri.getPort() >= 0 ? uri.getPort() : tls ? 8883 : 1883;
-        this.user = uri.getUserInfo();
+        /** Null if there is none. A {@link URI} does not know a host with an underscore, as Docker gives it. */
+        static @Nullable Place in(URI uri) {
+            if (uri.getHost() != null) {
+                return new Place(uri.getUserInfo(), uri.getHost(), uri.getPort());
+            }
+            Matcher parts = WITH_UNDERSCORE.matcher(uri.getAuthority() == null ? "" : uri.getAuthority());
+            return parts.matches()
+                    ? new Place(
+                            parts.group(1),
+                            parts.group(2),
+                            parts.group(3) == null ? -1 : Integer.parseInt(parts.group(3)))
+                    : null;
+        }
+    }
+
+    private BrokerAddress(boolean tls, Place place, Map<String, String> parameters, @Nullable String password) {
+        this.tls = tls;
+        this.host = place.host();
+        this.port = place.port() >= 0 ? place.port() : tls ? 8883 : 1883;
+        this.user = place.user();
         this.parameters = parameters;
         this.password = password;
         String certificates = parameters.get("ca");
@@ -64,21 +83,22 @@ public final class BrokerAddress {
                     "the broker's URL " + masked(url) + " cannot be read: " + malformed.getReason() + "; " + EXAMPLE);
         }
         String path = uri.getPath();
+        Place place = Place.in(uri);
         if (!("mqtt".equals(uri.getScheme()) || "mqtts".equals(uri.getScheme()))
-                || uri.getHost() == null
-                || uri.getPort() == 0
-                || uri.getPort() > 65_535
+                || place == null
+                || place.port() == 0
+                || place.port() > 65_535
                 || uri.getFragment() != null
                 || !(path == null || path.isEmpty() || path.equals("/"))) {
             throw new IllegalArgumentException("the broker's URL " + masked(url) + " names no broker; " + EXAMPLE);
         }
-        String user = uri.getUserInfo();
+        String user = place.user();
         if (user != null && user.contains(":")) {
             throw new IllegalArgumentException("the broker's URL " + masked(url)
                     + " contains a password, which everybody on this computer can see; leave it out, and put it into a file, "
                     + "with --mqtt-password-file FILE, or into the environment as " + MqttOptions.PASSWORD.variable());
         }
-        return new BrokerAddress(uri, parameters(uri), null);
+        return new BrokerAddress("mqtts".equals(uri.getScheme()), place, parameters(uri), null);
     }
 
     /**
@@ -91,7 +111,7 @@ public final class BrokerAddress {
             throw new IllegalArgumentException("the broker's URL " + this
                     + " names no user whose password this could be; write the user before the host: mqtt://USER@HOST");
         }
-        return new BrokerAddress(uri, parameters, secret);
+        return new BrokerAddress(tls, new Place(user, host, port), parameters, secret);
     }
 
     private static Map<String, String> parameters(URI uri) {
@@ -121,9 +141,13 @@ public final class BrokerAddress {
         }
     }
 
-    /** The text without anything that looks like a password. */
+    /**
+     * The text without anything that may be a password: what is between the first colon, however it is written, and the
+     * last {@code @}, and the values of unknown parameters.
+     */
     private static String masked(String url) {
-        return url.replaceFirst("(//[^/@]*?):.*@", "$1:***@");
+        return url.replaceFirst("^((?:[A-Za-z]+:/+|mqtts?:)?+.*?)(:|%3[Aa]).*@", "$1$2***@")
+                .replaceAll("([?&](?!(?:id|ca|discovery)=)[^=&@]*=)[^&@]*", "$1***");
     }
 
     boolean tls() {

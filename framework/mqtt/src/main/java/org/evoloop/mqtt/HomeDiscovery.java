@@ -5,6 +5,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.UnaryOperator;
+import java.util.regex.Pattern;
 import org.evoloop.console.JsonObject;
 import org.evoloop.core.Outcome;
 import org.evoloop.evolution.ModelPair;
@@ -22,6 +23,7 @@ final class HomeDiscovery {
     static final String REFUSED = "refused";
 
     private static final String DIAGNOSTIC = "diagnostic";
+    private static final Pattern PLAIN = Pattern.compile("[A-Za-z0-9]+(?:[ _.-][A-Za-z0-9]+)*");
 
     private final HomeTopics topics;
     private final String name;
@@ -33,11 +35,19 @@ final class HomeDiscovery {
         this.name = converter.substring(0, 1).toUpperCase(Locale.ROOT) + converter.substring(1);
     }
 
-    /** A name converted for topics and entity names. */
+    /**
+     * A name converted for topics, entity names and templates: lower-case ASCII letters and digits, separated by {@code
+     * _}. Names that differ only in other characters, such as {@code speed+} and {@code speed-}, or that consist of
+     * them, still get different keys.
+     */
     static String key(String text) {
-        return text.replaceAll("(?<=[a-z0-9])(?=[A-Z])", "_")
+        String plain = text.replaceAll("(?<=[a-z0-9])(?=[A-Z])", "_")
                 .toLowerCase(Locale.ROOT)
-                .replaceAll("[^a-z0-9]+", "_");
+                .replaceAll("[^a-z0-9]+", "_")
+                .replaceAll("^_|_$", "");
+        return PLAIN.matcher(text).matches()
+                ? plain
+                : (plain.isEmpty() ? "" : plain + "_") + "x" + Integer.toHexString(text.hashCode());
     }
 
     /** The entities of every converter. */

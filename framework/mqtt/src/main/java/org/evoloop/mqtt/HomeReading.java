@@ -55,13 +55,16 @@ record HomeReading(String name, Kind kind, String unit) {
 
     /** For people: {@code Time left}. */
     String title() {
-        String words = HomeDiscovery.key(name).replace('_', ' ');
+        String words = name.replaceAll("(?<=[a-z0-9])(?=[A-Z])", " ")
+                .replaceAll("[\\s_]+", " ")
+                .toLowerCase(Locale.ROOT)
+                .strip();
         return words.substring(0, 1).toUpperCase(Locale.ROOT) + words.substring(1);
     }
 
     /** The template that extracts it from the state; a missing one is unknown. */
     String template() {
-        String value = "value_json.readings.get('" + name.replaceAll("['\\\\{}%]", "") + "')";
+        String value = "value_json.readings.get('" + name.replaceAll("(['\\\\])", "\\\\$1") + "')";
         return kind == Kind.YES_OR_NO
                 ? "{{ None if " + value + " is none else 'ON' if " + value + " else 'OFF' }}"
                 : "{{ " + value + " }}";

@@ -41,7 +41,7 @@ final class HomeState {
                 .put("reachable", link == null || link.up() ? "ON" : "OFF")
                 .put("problem", text(problem(status)))
                 .put("last_failure", text(lastFailure))
-                .put("readings", JsonObject.of(readings(status)))
+                .put("readings", JsonObject.of(shown(readings(status))))
                 .put("choices", chosen);
     }
 
@@ -67,8 +67,19 @@ final class HomeState {
         return "";
     }
 
+    private static List<Reading> shown(List<Reading> readings) {
+        return readings.stream()
+                .map(reading ->
+                        reading.value() instanceof String text ? Reading.of(reading.name(), cut(text)) : reading)
+                .toList();
+    }
+
     private static String text(String text) {
-        return text.isEmpty() ? NONE : text.length() > LONGEST ? text.substring(0, LONGEST) + "..." : text;
+        return text.isEmpty() ? NONE : cut(text);
+    }
+
+    private static String cut(String text) {
+        return text.length() > LONGEST ? text.substring(0, LONGEST) + "..." : text;
     }
 
     /** The converter's diagnostics. */

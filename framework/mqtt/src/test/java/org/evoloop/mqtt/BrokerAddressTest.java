@@ -23,6 +23,8 @@ class BrokerAddressTest {
         "mqtts://broker, mqtts://broker:8883",
         "mqtt://ha@broker:1884/, mqtt://ha@broker:1884",
         "mqtt://[::1]:1883, mqtt://[::1]:1883",
+        "mqtt://my_broker, mqtt://my_broker:1883",
+        "mqtts://me%40home@my_broker:1884?id=hall, mqtts://me@home@my_broker:1884",
         "mqtts://192.168.1.2?id=hall&discovery=ha, mqtts://192.168.1.2:8883"
     })
     void whereTheBrokerIs(String url, String read) {
@@ -75,7 +77,9 @@ class BrokerAddressTest {
                 "mqtt://broker:0",
                 "mqtt://broker:99999",
                 "mqtt://bro ker",
-                "mqtt://broker#x"
+                "mqtt://broker#x",
+                "mqtt://my_broker:0",
+                "mqtt://my_broker:99999"
             })
     void whatNamesNoBrokerIsRefusedWithAnExample(String url) {
         assertThatThrownBy(() -> BrokerAddress.parse(url))
@@ -85,7 +89,24 @@ class BrokerAddressTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"mqtt://ha:s3cret@b", "mqtt://ha:s3cret@b ad", "mqtt://ha:s3@cret@b", "http://ha:s3cret@b"})
+    @ValueSource(
+            strings = {
+                "mqtt://ha:s3cret@b",
+                "mqtt://ha:s3cret@b ad",
+                "mqtt://ha:s3@cret@b",
+                "http://ha:s3cret@b",
+                "mqtt://ha%3As3cret@b",
+                "mqtt://ha:s3/cret@b",
+                "mqtt://ha:s3?x=cret@b",
+                "mqtt://ha@home:s3cret@b",
+                "mqtt://ha:s3cret@my_broker",
+                "mqtt://h/a:s3cret@b",
+                "mqtt:/ha:s3cret@b",
+                "mqtt:ha:s3cret@b",
+                "ha:s3cret@b",
+                "mqtt://b?user=ha&password=s3cret",
+                "mqtt://b:99999?password=s3cret&id=x"
+            })
     void aPasswordInTheUrlIsRefusedAndNotShown(String url) {
         assertThatThrownBy(() -> BrokerAddress.parse(url))
                 .isInstanceOf(IllegalArgumentException.class)

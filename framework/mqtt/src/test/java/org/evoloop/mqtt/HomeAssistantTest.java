@@ -83,6 +83,12 @@ class HomeAssistantTest {
     }
 
     @Test
+    void aLongTextIsCutSinceHomeAssistantRefusesIt() {
+        lamp.mood = "x".repeat(300);
+        watcher.awaitNewest(STATE, "\"mood\":\"" + "x".repeat(250) + "...\"");
+    }
+
+    @Test
     void aButtonIsAPressAndWhatBecameOfItIsAnEvent() throws Exception {
         watcher.awaitNewest(STATE, "\"converting\":\"OFF\"");
         watcher.publish("evoloop/lamp/press", "switch", false);

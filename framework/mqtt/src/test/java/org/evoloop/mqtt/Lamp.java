@@ -25,6 +25,7 @@ final class Lamp implements DeviceLink, AutoCloseable {
     final RecordingExecute bulb = new RecordingExecute("Bulb", "switch");
     volatile boolean up = true;
     volatile long battery = 93;
+    volatile String mood = "it's fine";
 
     Lamp() {
         converter.addMonitor(wallSwitch);
@@ -70,8 +71,7 @@ final class Lamp implements DeviceLink, AutoCloseable {
 
     @Override
     public List<Reading> readings() {
-        return List.of(
-                Reading.of("battery", battery, "%"), Reading.of("charging", false), Reading.of("mood", "it's fine"));
+        return List.of(Reading.of("battery", battery, "%"), Reading.of("charging", false), Reading.of("mood", mood));
     }
 
     @Override

@@ -71,17 +71,18 @@ final class Gate {
                     + "; use its address as a number, this machine's name, or the name after --page";
         }
         String site = headers.getFirst("Sec-Fetch-Site");
-        boolean opened = exchange.getRequestURI().getPath().equals("/") && isGet(exchange);
+        boolean opened = exchange.getRequestURI().getPath().equals("/") && isReading(exchange);
         if (site != null && !site.equals("same-origin") && !site.equals("none") && !opened) {
             return "another site's page asks for this";
         }
         String origin = headers.getFirst("Origin");
-        boolean foreign = origin != null && !origin.equals("http://" + called);
-        return foreign || (origin == null && !isGet(exchange)) ? "another site's page asks for this" : null;
+        // A browser behind a TLS proxy has the page from https, at the same name.
+        boolean foreign = origin != null && !origin.equals("http://" + called) && !origin.equals("https://" + called);
+        return foreign || (origin == null && !isReading(exchange)) ? "another site's page asks for this" : null;
     }
 
-    private static boolean isGet(HttpExchange exchange) {
-        return exchange.getRequestMethod().equals("GET");
+    private static boolean isReading(HttpExchange exchange) {
+        return exchange.getRequestMethod().matches("GET|HEAD");
     }
 
     private static String hostOf(String called) {

@@ -11,6 +11,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
 import java.time.Duration;
+import java.util.List;
 import java.util.Properties;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -88,34 +89,38 @@ final class PageServer implements AutoCloseable {
         return threads;
     }
 
-    /** Sets the handler of {@code method} requests for exactly {@code path}. */
+    /** Sets the handler of {@code method} requests for exactly {@code path}; that of GET also answers HEAD. */
     void on(String method, String path, Handler handler) {
+        serve(path, method.equals("GET") ? List.of("GET", "HEAD") : List.of(method), handler);
+    }
+
+    /** Sets the handler of a stream to a viewer, if there is room for one. */
+    void onStream(String path, Handler handler) {
+        serve(path, List.of("GET"), exchange -> {
+            if (!seats.tryAcquire()) {
+                Answer.text(exchange, Answer.BUSY, MOST_VIEWERS + " viewers are the maximum");
+                return;
+            }
+            try {
+                handler.handle(exchange);
+            } finally {
+                seats.release();
+            }
+        });
+    }
+
+    private void serve(String path, List<String> methods, Handler handler) {
         serve(path, exchange -> {
             if (!exchange.getRequestURI().getPath().equals(path)) {
                 Answer.text(
                         exchange,
                         Answer.NOT_FOUND,
                         "there is no " + exchange.getRequestURI().getPath());
-            } else if (!exchange.getRequestMethod().equals(method)) {
-                exchange.getResponseHeaders().set("Allow", method);
-                Answer.text(exchange, Answer.OTHER_METHOD, "only " + method + " is understood");
+            } else if (!methods.contains(exchange.getRequestMethod())) {
+                exchange.getResponseHeaders().set("Allow", String.join(", ", methods));
+                Answer.text(exchange, Answer.OTHER_METHOD, "only " + methods.get(0) + " is understood");
             } else {
                 handle(exchange, handler);
-            }
-        });
-    }
-
-    /** Sets the handler of a stream to a viewer, if there is room for one. */
-    void onStream(String path, Handler handler) {
-        serve(path, exchange -> {
-            if (!seats.tryAcquire()) {
-                Answer.text(exchange, Answer.BUSY, MOST_VIEWERS + " viewers are the maximum");
-                return;
-            }
-            try {
-                handle(exchange, handler);
-            } finally {
-                seats.release();
             }
         });
     }

@@ -31,7 +31,8 @@ final class Stream {
 
     /** Serves until the viewer leaves, or takes too long to take an update. */
     void serve(HttpExchange exchange) throws IOException, InterruptedException {
-        Answer.headers(exchange, "text/event-stream");
+        // A proxy, such as nginx, would otherwise collect updates before it passes them on.
+        Answer.headers(exchange, "text/event-stream").set("X-Accel-Buffering", "no");
         exchange.sendResponseHeaders(Answer.OK, 0);
         broadcast.join();
         // Closing the exchange would close the body, too, but hide it if that fails.

@@ -89,7 +89,7 @@ class GateTest {
             "Origin: null",
             "Origin: http://127.0.0.1:1",
             "X-No: origin",
-            "Origin: https://" + own()
+            "Origin: https://127.0.0.1"
         }) {
             assertThat(ask("POST", "/command", "start", "Host: " + own(), foreign, cookie))
                     .as(foreign)
@@ -107,6 +107,17 @@ class GateTest {
         assertThat(ask("GET", "/events", "", "Host: " + own(), "Sec-Fetch-Site: cross-site"))
                 .startsWith("HTTP/1.1 403");
         assertThat(shown.converter.status().loop()).isNotEqualTo(LoopState.RUNNING);
+    }
+
+    @Test
+    void aTlsProxyInFrontPassesTheControlsOn() throws IOException {
+        String host = "Host: localhost";
+        String origin = "Origin: https://localhost";
+        String answer = ask("POST", "/session", shown.token, host, origin, "Sec-Fetch-Site: same-origin");
+        assertThat(answer).startsWith("HTTP/1.1 200");
+        cookie = answer.replaceFirst("(?s).*Set-cookie: ([^;]+);.*", "Cookie: $1");
+        assertThat(ask("POST", "/command", "start", host, origin, cookie)).startsWith("HTTP/1.1 200");
+        assertThat(shown.converter.status().loop()).isEqualTo(LoopState.RUNNING);
     }
 
     @Test
@@ -138,9 +149,21 @@ class GateTest {
         assertThat(ask("DELETE", "/about", "", "Host: " + own(), "Origin: http://" + own()))
                 .startsWith("HTTP/1.1 405")
                 .contains("Allow: GET");
-        assertThat(ask("HEAD", "/about", "", "Host: " + own(), "Origin: http://" + own()))
+        for (String path : new String[] {"/", "/about", "/history"}) {
+            assertThat(ask("HEAD", path, "", "Host: " + own()))
+                    .startsWith("HTTP/1.1 200")
+                    .endsWith("\r\n\r\n");
+        }
+        assertThat(ask("HEAD", "/", "", "Host: evil.example")).startsWith("HTTP/1.1 403");
+        assertThat(ask("HEAD", "/session", "", "Host: " + own()))
                 .startsWith("HTTP/1.1 405")
                 .endsWith("\r\n\r\n");
+        assertThat(ask("HEAD", "/events", "", "Host: " + own()))
+                .startsWith("HTTP/1.1 405")
+                .contains("Allow: GET\r\n");
+        assertThat(ask("POST", "/events", "", "Host: " + own(), "Origin: http://" + own()))
+                .startsWith("HTTP/1.1 405");
+        assertThat(ask("GET", "/events/x", "", "Host: " + own())).startsWith("HTTP/1.1 404");
         assertThat(ask("GET", "/picture?number=9", "", "Host: " + own())).startsWith("HTTP/1.1 404");
         assertThat(ask("GET", "/history?before=x", "", "Host: " + own())).startsWith("HTTP/1.1 200");
     }

@@ -69,6 +69,7 @@ public final class Ctl {
     int call(List<String> arguments) {
         if (arguments.isEmpty()) {
             running().keySet().forEach(out::println);
+            instances.hidden().forEach(directory -> err.println(ofOthers(directory)));
             return 0;
         }
         String name = arguments.get(0);
@@ -110,6 +111,11 @@ public final class Ctl {
         if (line.contains("\n") || line.contains("\r")) {
             throw new IllegalArgumentException("a command is one line");
         }
+        // The instance would hang up before it has read all, and its answer could be lost with the rest.
+        if (line.getBytes(StandardCharsets.UTF_8).length >= Connection.LONGEST_LINE) {
+            throw new IllegalArgumentException(
+                    "the command is longer than " + (Connection.LONGEST_LINE - 1) + " bytes");
+        }
         return line;
     }
 
@@ -121,6 +127,19 @@ public final class Ctl {
             }
         }
         return found;
+    }
+
+    private String missing(String name, Map<String, Path> running) {
+        String others = instances.hidden().stream()
+                .map(directory -> "; " + ofOthers(directory))
+                .collect(Collectors.joining());
+        String none = others.isEmpty() ? "; none is" : " for this user";
+        return "no instance named " + name + " is running"
+                + (running.isEmpty() ? none : Names.hint(name, running.keySet())) + others;
+    }
+
+    private static String ofOthers(Path directory) {
+        return "the instances in " + directory + " belong to another user; use sudo to see them";
     }
 
     private static boolean answers(Path socket) {
@@ -147,8 +166,7 @@ public final class Ctl {
         Map<String, Path> running = running();
         Path socket = running.get(name);
         if (socket == null) {
-            throw new IllegalArgumentException("no instance named " + name + " is running"
-                    + (running.isEmpty() ? "; none is" : Names.hint(name, running.keySet())));
+            throw new IllegalArgumentException(missing(name, running));
         }
         try (SocketChannel channel = connect(socket)) {
             ByteBuffer request = StandardCharsets.UTF_8.encode(line + "\n");

@@ -108,6 +108,13 @@ final class Instances {
         return found;
     }
 
+    /** The directories that are there, but that this user may not look into. */
+    List<Path> hidden() {
+        return directories().stream()
+                .filter(directory -> Files.isDirectory(directory) && !Files.isReadable(directory))
+                .toList();
+    }
+
     /** The name of the instance with that socket. */
     static String nameOf(Path socket) {
         String file = String.valueOf(socket.getFileName());

@@ -2,6 +2,7 @@ package org.evoloop.service;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -114,6 +115,8 @@ class InstancesTest {
             assertThat(ctl.call(List.of())).isZero();
             assertThat(ctl.call(List.of("lamp", "press", "a b", "it's"))).isZero();
             assertThat(ctl.call(List.of("lamp", "fail"))).isEqualTo(1);
+            assertThat(ctl.call(List.of("lamp", "x".repeat(4095)))).isZero();
+            assertThat(ctl.call(List.of("lamp", "x".repeat(100_000)))).isEqualTo(2);
             assertThat(ctl.call(List.of("lump", "status"))).isEqualTo(2);
             assertThat(ctl.call(List.of("lamp"))).isEqualTo(2);
             assertThat(ctl.call(List.of("a b", "status"))).isEqualTo(2);
@@ -122,8 +125,35 @@ class InstancesTest {
         assertThat(text.toString(StandardCharsets.UTF_8).lines())
                 .contains("lamp", "press 'a b' \"it's\"", "no")
                 .anyMatch(line -> line.startsWith("error: no instance named lump is running; did you mean lamp?"))
+                .contains("error: the command is longer than 4095 bytes")
                 .contains("error: give a command for lamp: ctl lamp help lists its commands")
                 .doesNotContain("dead");
+    }
+
+    @Test
+    void theClientNamesADirectoryWhereItMayNotLook() throws Exception {
+        ByteArrayOutputStream results = new ByteArrayOutputStream();
+        ByteArrayOutputStream errors = new ByteArrayOutputStream();
+        Ctl ctl = new Ctl(
+                new Instances(Map.of("XDG_RUNTIME_DIR", runtime.toString())),
+                new PrintStream(results, true, StandardCharsets.UTF_8),
+                new PrintStream(errors, true, StandardCharsets.UTF_8),
+                false);
+        Path directory = Files.createDirectory(runtime.resolve("evoloop"));
+        Files.setPosixFilePermissions(directory, PosixFilePermissions.fromString("---------"));
+        try {
+            assumeFalse(Files.isReadable(directory), "root may look everywhere");
+            assertThat(ctl.call(List.of())).isZero();
+            assertThat(ctl.call(List.of("lamp", "status"))).isEqualTo(2);
+        } finally {
+            Files.setPosixFilePermissions(directory, PosixFilePermissions.fromString("rwx------"));
+        }
+        assertThat(results.toString(StandardCharsets.UTF_8)).isEmpty();
+        assertThat(errors.toString(StandardCharsets.UTF_8).lines())
+                .containsExactly(
+                        "the instances in " + directory + " belong to another user; use sudo to see them",
+                        "error: no instance named lamp is running for this user; the instances in " + directory
+                                + " belong to another user; use sudo to see them");
     }
 
     private static final class Echo implements Commands {
