@@ -108,6 +108,13 @@ final class Instances {
         return found;
     }
 
+    /** The directories whose instances this user may not see. */
+    List<Path> closedDirectories() {
+        return directories().stream()
+                .filter(directory -> Files.isDirectory(directory) && !Files.isReadable(directory))
+                .toList();
+    }
+
     /** The name of the instance with that socket. */
     static String nameOf(Path socket) {
         String file = String.valueOf(socket.getFileName());

@@ -2,6 +2,7 @@ package org.evoloop.service;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -10,8 +11,11 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.CountDownLatch;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -22,6 +26,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 class InstancesTest {
     @TempDir
     private Path runtime;
+
+    private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
+    private final PrintStream out = new PrintStream(printed, true, StandardCharsets.UTF_8);
 
     private Service open(String name) throws IOException {
         return Service.open(
@@ -103,32 +110,79 @@ class InstancesTest {
 
     @Test
     void theClientListsTheInstances() throws Exception {
-        ByteArrayOutputStream text = new ByteArrayOutputStream();
-        PrintStream all = new PrintStream(text, true, StandardCharsets.UTF_8);
-        Ctl ctl = new Ctl(new Instances(Map.of("XDG_RUNTIME_DIR", runtime.toString())), all, all, false);
         Path directory = Files.createDirectory(runtime.resolve("evoloop"));
         Files.createFile(directory.resolve("dead.sock"));
 
         try (ControlServer lamp = new ControlServer(directory.resolve("lamp.sock"), new Echo(), new ManualClock())) {
             assertThat(lamp.commands().isEnding()).isFalse();
-            assertThat(ctl.call(List.of())).isZero();
-            assertThat(ctl.call(List.of("lamp", "press", "a b", "it's"))).isZero();
-            assertThat(ctl.call(List.of("lamp", "fail"))).isEqualTo(1);
-            assertThat(ctl.call(List.of("lump", "status"))).isEqualTo(2);
-            assertThat(ctl.call(List.of("lamp"))).isEqualTo(2);
-            assertThat(ctl.call(List.of("a b", "status"))).isEqualTo(2);
+            assertThat(ctl()).isZero();
+            assertThat(ctl("lamp", "press", "a b", "it's", "it's 5\"")).isZero();
+            assertThat(ctl("lamp", "fail")).isEqualTo(1);
+            assertThat(ctl("lump", "status")).isEqualTo(2);
+            assertThat(ctl("lamp")).isEqualTo(2);
+            assertThat(ctl("a b", "status")).isEqualTo(2);
+            assertThat(ctl("lamp", "x".repeat(5_000))).isEqualTo(2);
         }
 
-        assertThat(text.toString(StandardCharsets.UTF_8).lines())
-                .contains("lamp", "press 'a b' \"it's\"", "no")
+        assertThat(printed.toString(StandardCharsets.UTF_8).lines())
+                .contains("lamp", "press 'a b' \"it's\" 'it'\"'\"'s 5\"'", "no")
                 .anyMatch(line -> line.startsWith("error: no instance named lump is running; did you mean lamp?"))
                 .contains("error: give a command for lamp: ctl lamp help lists its commands")
+                .contains("error: the command is longer than 4095 bytes")
                 .doesNotContain("dead");
     }
 
+    @Test
+    void theClientWaitsForASlowCommandWhileTheInstanceIsAlive() throws Exception {
+        Path directory = Files.createDirectory(runtime.resolve("evoloop"));
+        Echo slow = new Echo();
+
+        try (ControlServer lamp = new ControlServer(directory.resolve("lamp.sock"), slow, new ManualClock())) {
+            assertThat(lamp.commands().isEnding()).isFalse();
+            // It takes until the client has asked whether the instance is alive.
+            assertThat(new Ctl(instances(), out, out, false, Duration.ofSeconds(2)).call(List.of("lamp", "slow")))
+                    .isZero();
+        }
+
+        assertThat(printed.toString(StandardCharsets.UTF_8)).isEqualToIgnoringNewLines("slow");
+    }
+
+    @Test
+    void theClientNamesADirectoryThatIsClosedToItsUser() throws Exception {
+        Path directory = Files.createDirectory(runtime.resolve("evoloop"));
+        Files.setPosixFilePermissions(directory, Set.of());
+        assumeFalse(Files.isReadable(directory), "root may read every directory");
+        String closed = "instances in " + directory + " can be reached only by its owner and root; try it with sudo";
+
+        assertThat(ctl()).isZero();
+        assertThat(ctl("lamp", "status")).isEqualTo(2);
+
+        Files.setPosixFilePermissions(directory, PosixFilePermissions.fromString("rwx------"));
+        assertThat(printed.toString(StandardCharsets.UTF_8).lines())
+                .contains("note: " + closed)
+                .anyMatch(line -> line.startsWith("error: no instance named lamp is running") && line.contains(closed));
+    }
+
+    private Instances instances() {
+        return new Instances(Map.of("XDG_RUNTIME_DIR", runtime.toString()));
+    }
+
+    private int ctl(String... words) {
+        return new Ctl(instances(), out, out, false, Instance.PATIENCE).call(List.of(words));
+    }
+
     private static final class Echo implements Commands {
+        private final CountDownLatch sign = new CountDownLatch(1);
+
         @Override
-        public int perform(String line, PrintStream results, PrintStream errors) {
+        public int perform(String line, PrintStream results, PrintStream errors) throws InterruptedException {
+            if (line.isEmpty()) {
+                sign.countDown();
+                return 0;
+            }
+            if (line.equals("slow")) {
+                sign.await();
+            }
             results.println(line.equals("fail") ? "no" : line);
             return line.equals("fail") ? 1 : 0;
         }
