@@ -72,6 +72,16 @@ public final class Ctl {
     }
 
     int call(List<String> arguments) {
+        int status = answer(arguments);
+        if (status == 0 && out.checkError()) {
+            // A stream reports a full disk or a closed pipe only here.
+            err.println("error: standard output: the answer could not be written in full");
+            return 1;
+        }
+        return status;
+    }
+
+    private int answer(List<String> arguments) {
         if (arguments.isEmpty()) {
             running().keySet().forEach(out::println);
             instances.closedDirectories().forEach(directory -> err.println("note: " + elsewhere(directory)));

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -161,6 +162,22 @@ class InstancesTest {
         assertThat(printed.toString(StandardCharsets.UTF_8).lines())
                 .contains("note: " + closed)
                 .anyMatch(line -> line.startsWith("error: no instance named lamp is running") && line.contains(closed));
+    }
+
+    @Test
+    void anAnswerThatCannotBeWrittenIsAFailure() {
+        PrintStream full = new PrintStream(new OutputStream() {
+            @Override
+            public void write(int octet) throws IOException {
+                throw new IOException("No space left on device");
+            }
+        });
+
+        assertThat(new Ctl(instances(), full, out, false, Instance.PATIENCE).call(List.of("--help")))
+                .isEqualTo(1);
+
+        assertThat(printed.toString(StandardCharsets.UTF_8))
+                .isEqualToIgnoringNewLines("error: standard output: the answer could not be written in full");
     }
 
     private Instances instances() {
