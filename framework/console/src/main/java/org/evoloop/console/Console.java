@@ -249,6 +249,11 @@ public final class Console {
             LOG.debug("'{}' failed", line, failure);
             errors.println("error: " + message(failure));
             return failure instanceof IllegalArgumentException ? 2 : 1;
+        } catch (Error bug) {
+            // A faulty command must not end the program.
+            LOG.error("the command '{}' failed", line, bug);
+            errors.println("error: " + bug);
+            return 1;
         } finally {
             results.flush();
         }

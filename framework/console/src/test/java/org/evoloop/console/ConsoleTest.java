@@ -226,6 +226,19 @@ class ConsoleTest {
                         "error: NullPointerException");
     }
 
+    @Test
+    void aCommandWithABugDoesNotEndTheProgram() {
+        Console console = console(input("bug", "start"));
+        console.addCommand(ConsoleCommand.of("bug", "fails", (arguments, to) -> {
+            throw new StackOverflowError();
+        }));
+
+        assertThat(console.run()).isZero();
+
+        assertThat(err.lines()).containsExactly("error: java.lang.StackOverflowError");
+        assertThat(out.lines()).containsExactly("running: original off, new off");
+    }
+
     private static ConsoleCommand failing(String name, Exception failure) {
         return ConsoleCommand.of(name, "fails", (arguments, out) -> {
             throw failure;
