@@ -134,6 +134,20 @@ class InstancesTest {
     }
 
     @Test
+    void theClientTrustsNoDirectoryThatAnyoneMayHaveMade(@TempDir Path elsewhere) throws Exception {
+        Path temporary = runtime.resolve("evoloop-user");
+        Files.createFile(elsewhere.resolve("lamp.sock"));
+        Files.createSymbolicLink(temporary, elsewhere);
+        Instances instances = new Instances(Map.of(), temporary);
+        assertThat(instances.sockets()).noneMatch(socket -> socket.startsWith(temporary));
+
+        Files.delete(temporary);
+        Files.createDirectory(temporary);
+        Path own = Files.createFile(temporary.resolve("lamp.sock"));
+        assertThat(instances.sockets()).contains(own);
+    }
+
+    @Test
     void theClientWaitsForASlowCommandWhileTheInstanceIsAlive() throws Exception {
         Path directory = Files.createDirectory(runtime.resolve("evoloop"));
         Echo slow = new Echo();
