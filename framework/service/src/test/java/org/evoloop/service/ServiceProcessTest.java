@@ -161,6 +161,22 @@ class ServiceProcessTest {
     }
 
     @Test
+    void aFullDiskIsReportedWithTheFile() throws Exception {
+        // A file that may not grow, as on a full disk.
+        ProcessBuilder builder = new ProcessBuilder("sh", "-c", "ulimit -f 0; exec \"$0\" \"$@\"");
+        List<String> command = JavaProcess.command(LampProgram.class, "--name", "lamp");
+        command.add(1, "-XX:-UsePerfData");
+        builder.command().addAll(command);
+        builder.environment().put("XDG_RUNTIME_DIR", runtime.toString());
+        Process lamp = builder.start();
+        processes.add(lamp);
+
+        assertThat(lamp.errorReader(StandardCharsets.UTF_8).lines())
+                .anyMatch(line -> line.contains(runtime.resolve("evoloop/lamp.lock") + " cannot be written: "));
+        assertThat(end(lamp)).isNotZero();
+    }
+
+    @Test
     void aConverterThatClosesItselfEndsTheProgramWithAnError() throws Exception {
         Process lamp = start(NO_INPUT, "--start", "--name", "lamp");
         awaitRunning();
