@@ -271,6 +271,12 @@ class BootTest(unittest.TestCase):
         self.assertEqual(warnings.count("/dev/ttyUSB0"), 1, warnings)
         self.do("systemctl stop evoloop@roomba")
 
+    def stop_it_while_it_starts(self) -> None:
+        self.do("systemctl start --no-block evoloop@roomba")
+        self.await_that(lambda: self.of("MainPID") != "0")
+        self.do("systemctl stop evoloop@roomba")
+        self.assertEqual(self.of("Result"), "success")
+
     def test_it_waits_is_upgraded_killed_frozen_stopped_and_removed(self) -> None:
         for root in OWN_ROOTS:
             with self.subTest(release=root.name):
@@ -278,6 +284,7 @@ class BootTest(unittest.TestCase):
                 self.boot(root)
                 self.do("dpkg --purge evoloop; groupadd --force --system gpio; dpkg -i /root/evoloop.deb")
                 self.wait_for_a_robot()
+                self.stop_it_while_it_starts()
                 self.do("sed -i 's/^port:.*/simulate: true/' /etc/evoloop/roomba.yaml")
                 self.do("mkdir -p /run/systemd/system/evoloop@.service.d")
                 self.do("printf '[Service]\\nWatchdogSec=10\\n' > /run/systemd/system/evoloop@.service.d/test.conf")

@@ -54,6 +54,7 @@ public final class Console {
 
     private final List<ConsoleCommand> added = new CopyOnWriteArrayList<>();
     private final ReentrantLock turn = new ReentrantLock(true);
+    private final List<Runnable> beginListeners = new ArrayList<>();
     private final List<Consumer<String>> endListeners = new ArrayList<>();
     private final Ending ending = new Ending();
     private boolean outlivesInput;
@@ -161,12 +162,23 @@ public final class Console {
         }
     }
 
+    /**
+     * Calls {@code listener} when the run begins, before the first command is read: from then on signals end the run, after
+     * the listener has returned.
+     */
+    public void onBegin(Runnable listener) {
+        beginListeners.add(listener);
+    }
+
     /** Calls {@code listener} with the reason when the run is about to end, before the converters are closed. */
     public void onEnd(Consumer<String> listener) {
         endListeners.add(listener);
     }
 
-    /** Makes {@link #run} continue after the end of the input, until it is ended otherwise; to be called before it. */
+    /**
+     * Makes {@link #run} continue after the end of the input, or when that cannot be read, until it is ended otherwise; to
+     * be called before it.
+     */
     public void outliveInput() {
         outlivesInput = true;
     }
@@ -237,6 +249,11 @@ public final class Console {
             LOG.debug("'{}' failed", line, failure);
             errors.println("error: " + message(failure));
             return failure instanceof IllegalArgumentException ? 2 : 1;
+        } catch (Error bug) {
+            // A faulty command must not end the program.
+            LOG.error("the command '{}' failed", line, bug);
+            errors.println("error: " + bug);
+            return 1;
         } finally {
             results.flush();
         }
@@ -271,8 +288,11 @@ public final class Console {
 
     /** Converses through {@code io}, then closes the converter. */
     int run(ConsoleIo io) {
-        ending.begin();
         try {
+            // Before a request to end can interrupt this thread, since an interrupt would leave a listener's work half
+            // done.
+            beginListeners.forEach(Runnable::run);
+            ending.begin();
             if (io.isTerminal()) {
                 io.out().print(ConverterCommands.text(text -> FirstScreen.show(converters(), added, text)));
                 person = new Person(Thread.currentThread(), io);
@@ -290,22 +310,30 @@ public final class Console {
 
     private void converse(ConsoleIo io) {
         try {
+            performAll(io);
+            if (outlivesInput) {
+                ending.await();
+            }
+            ending.ask("the end of the input", 0);
+        } catch (InterruptedException end) {
+            ending.ask("an interrupt", 0);
+        }
+    }
+
+    /** Performs the commands of the input until it ends or the program shall end. */
+    private void performAll(ConsoleIo io) throws InterruptedException {
+        try {
             for (String line = io.readLine(); line != null; line = io.readLine()) {
                 perform(line, io.out(), io.err());
                 if (ending.isAsked()) {
                     return;
                 }
             }
-            if (outlivesInput) {
-                ending.await();
-            } else {
-                ending.ask("the end of the input", 0);
-            }
-        } catch (InterruptedException end) {
-            ending.ask("an interrupt", 0);
         } catch (IOException failure) {
             io.err().println("error: " + failure.getMessage());
-            ending.ask("the input cannot be read", 1);
+            if (!outlivesInput) {
+                ending.ask("the input cannot be read", 1);
+            }
         }
     }
 

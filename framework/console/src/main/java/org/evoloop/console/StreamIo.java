@@ -13,14 +13,17 @@ import java.util.concurrent.FutureTask;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
-/** Plain lines: no prompt, no echo. */
+/** Plain lines: no prompt, no echo. A line that is too long is reported, and skipped without being kept. */
 final class StreamIo implements ConsoleIo {
-    private final BufferedReader lines;
+    /** The longest line, in characters. */
+    static final int LONGEST_LINE = 4095;
+
+    private final BufferedReader in;
     private final PrintStream out;
     private final PrintStream err;
 
     StreamIo(InputStream in, PrintStream out, PrintStream err) {
-        this.lines = new BufferedReader(new InputStreamReader(in, Charset.defaultCharset()));
+        this.in = new BufferedReader(new InputStreamReader(in, Charset.defaultCharset()));
         this.out = out;
         this.err = err;
     }
@@ -28,7 +31,7 @@ final class StreamIo implements ConsoleIo {
     /** Reads on a separate thread, since nothing can interrupt the read of a pipe. */
     @Override
     public @Nullable String readLine() throws IOException, InterruptedException {
-        FutureTask<@Nullable String> reading = new FutureTask<>(lines::readLine);
+        FutureTask<@Nullable String> reading = new FutureTask<>(this::line);
         Thread reader = new Thread(reading, "evoloop-console-input");
         reader.setDaemon(true);
         reader.start();
@@ -38,6 +41,26 @@ final class StreamIo implements ConsoleIo {
             Throwable cause = Objects.requireNonNullElse(failure.getCause(), failure);
             throw new IOException("the input cannot be read: " + cause.getMessage(), cause);
         }
+    }
+
+    private @Nullable String line() throws IOException {
+        StringBuilder line = new StringBuilder();
+        boolean tooLong = false;
+        for (int next = in.read(); next >= 0; next = in.read()) {
+            if (next == '\n' || next == '\r') {
+                if (!tooLong) {
+                    return line.toString();
+                }
+                line.setLength(0);
+                tooLong = false;
+            } else if (line.length() < LONGEST_LINE) {
+                line.append((char) next);
+            } else if (!tooLong) {
+                tooLong = true;
+                err.println("error: the command is longer than " + LONGEST_LINE + " characters");
+            }
+        }
+        return line.isEmpty() || tooLong ? null : line.toString();
     }
 
     @Override

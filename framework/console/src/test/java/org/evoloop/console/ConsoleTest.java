@@ -9,6 +9,7 @@ import java.io.InputStream;
 import java.io.PipedInputStream;
 import java.io.PipedOutputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.FutureTask;
 import org.evoloop.loop.LoopConfig;
@@ -16,6 +17,7 @@ import org.evoloop.loop.LoopState;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 
 /** The console as used by programs: lines in, lines out. */
 class ConsoleTest {
@@ -224,6 +226,19 @@ class ConsoleTest {
                         "error: NullPointerException");
     }
 
+    @Test
+    void aCommandWithABugDoesNotEndTheProgram() {
+        Console console = console(input("bug", "start"));
+        console.addCommand(ConsoleCommand.of("bug", "fails", (arguments, to) -> {
+            throw new StackOverflowError();
+        }));
+
+        assertThat(console.run()).isZero();
+
+        assertThat(err.lines()).containsExactly("error: java.lang.StackOverflowError");
+        assertThat(out.lines()).containsExactly("running: original off, new off");
+    }
+
     private static ConsoleCommand failing(String name, Exception failure) {
         return ConsoleCommand.of(name, "fails", (arguments, out) -> {
             throw failure;
@@ -265,6 +280,55 @@ class ConsoleTest {
         assertThat(console(unplugged).run()).isEqualTo(1);
 
         assertThat(err.text()).isEqualTo("error: the input cannot be read: Pipe not connected\n");
+        assertThat(lamp.converter.status().loop()).isEqualTo(LoopState.EXITED);
+    }
+
+    @Test
+    @Timeout(60)
+    void anUnattendedConsoleOutlivesAnInputThatFails() throws Exception {
+        Console console = console(new PipedInputStream());
+        console.outliveInput();
+        FutureTask<Integer> running = new FutureTask<>(console::run);
+        Thread thread = new Thread(running, "console-under-test");
+        thread.start();
+        while (thread.isAlive() && (err.text().isEmpty() || thread.getState() != Thread.State.WAITING)) {
+            Thread.onSpinWait();
+        }
+
+        console.end("SIGTERM", 0);
+
+        assertThat(running.get()).isZero();
+        assertThat(err.text()).isEqualTo("error: the input cannot be read: Pipe not connected\n");
+    }
+
+    @Test
+    void aLineThatIsTooLongIsRefusedWithoutBeingKept() {
+        String longest = "start" + " ".repeat(StreamIo.LONGEST_LINE - "start".length());
+
+        run(longest + "x", longest, "status --jsn", "x".repeat(1_000_000));
+
+        assertThat(out.lines()).containsExactly("running: original off, new off");
+        assertThat(err.lines())
+                .containsExactly(
+                        "error: the command is longer than 4095 characters",
+                        "error: status takes --all, --json or nothing, not '--jsn'; did you mean --json?",
+                        "error: the command is longer than 4095 characters");
+    }
+
+    @Test
+    void aRequestToEndWhileTheRunBeginsWaitsForWhatBegins() {
+        Console console = console(new PipedInputStream());
+        List<LoopState> begun = new ArrayList<>();
+        console.onBegin(() -> {
+            console.end("SIGTERM", 0);
+            lamp.converter.start();
+            begun.add(lamp.converter.status().loop());
+        });
+
+        assertThat(console.run()).isZero();
+
+        assertThat(begun).containsExactly(LoopState.RUNNING);
+        assertThat(err.text()).isEmpty();
         assertThat(lamp.converter.status().loop()).isEqualTo(LoopState.EXITED);
     }
 

@@ -31,7 +31,7 @@ import org.jspecify.annotations.Nullable;
  * @param conversionTime how long conversions take
  * @param components every component and its thread
  * @param function the running new function
- * @param faults guards, effects, functions, tasks and listeners that have failed
+ * @param faults guards, effects, functions, tasks, listeners and a journal that have failed
  * @param link the connection to the device; null if no link was registered
  * @since 0.1
  */

@@ -6,6 +6,7 @@ import org.evoloop.evolution.EventNames;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Values;
+import org.evoloop.loop.Intake.Admission;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.LoopState;
 import org.evoloop.loop.MapeLoop;
@@ -64,10 +65,10 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         return joined != null && (joined.state() == LoopState.EXITED || !joined.has(this));
     }
 
-    /** Reports to the loop on the caller's thread; false if {@link #getEvent} has to, on the monitor's thread. */
-    final boolean report(Occurrence occurrence) {
+    /** Reports to the loop on the caller's thread; null if {@link #getEvent} has to, on the monitor's thread. */
+    final @Nullable Admission report(Occurrence occurrence) {
         MapeLoop<Occurrence, ?, ?> joined = loop;
-        return joined != null && joined.report(this, occurrence);
+        return joined == null ? null : joined.report(this, occurrence);
     }
 
     /** Whether a thread of the converter serves this monitor now, and the loop does not wait for the caller. */
@@ -116,10 +117,22 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         }
         if (joined.state() != LoopState.RUNNING) {
             joined.offer(pressed);
-            throw new IllegalStateException("the converter " + attached.name() + " is "
-                    + (joined.state() == LoopState.EXITED ? "closed" : "stopped") + ", so " + pressed.label()
-                    + " is refused" + (joined.state() == LoopState.EXITED ? "" : "; start it first"));
+            throw refusal(pressed);
         }
+    }
+
+    /** Says why the converter refuses {@code pressed}. */
+    final IllegalStateException refusal(Occurrence pressed) {
+        MapeLoop<Occurrence, ?, ?> joined = loop;
+        LoopConfig attached = config;
+        LoopState state = joined == null ? LoopState.NEW : joined.state();
+        return new IllegalStateException("the converter " + (attached == null ? name() : attached.name())
+                + switch (state) {
+                    case RUNNING ->
+                        " cannot write its journal, so " + pressed.label() + " is refused; make room on its disk";
+                    case EXITED -> " is closed, so " + pressed.label() + " is refused";
+                    default -> " is stopped, so " + pressed.label() + " is refused; start it first";
+                });
     }
 
     /** Whether this monitor has a thread of its own; without, {@link #getEvent} must not wait. */

@@ -64,14 +64,16 @@ final class FailureLog {
      * count of its own.
      */
     void fault(String part, Failure<?> failure) {
-        String last = failure.toString();
-        synchronized (this) {
-            if (faults.size() < DISTINCT || faults.containsKey(part)) {
-                ConverterStatus.Fault before = faults.get(part);
-                faults.put(part, new ConverterStatus.Fault(part, before == null ? 1 : before.failures() + 1, last));
-            }
-        }
+        fault(part, failure.toString());
         log(failure);
+    }
+
+    /** Only counts a failure of {@code part}. */
+    synchronized void fault(String part, String message) {
+        if (faults.size() < DISTINCT || faults.containsKey(part)) {
+            ConverterStatus.Fault before = faults.get(part);
+            faults.put(part, new ConverterStatus.Fault(part, before == null ? 1 : before.failures() + 1, message));
+        }
     }
 
     /** The parts that are not components and have failed, in the order of their first failures. */

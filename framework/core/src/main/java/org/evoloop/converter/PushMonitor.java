@@ -7,6 +7,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Values;
+import org.evoloop.loop.Intake.Admission;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -45,7 +46,8 @@ public class PushMonitor extends EventMonitor {
      * A control of the controller was operated.
      *
      * @throws IllegalArgumentException if neither model knows the event; the message lists the most similar names
-     * @throws IllegalStateException if the converter is not running, or this monitor is not part of one
+     * @throws IllegalStateException if the converter is not running or cannot write its journal, or this monitor is not
+     *     part of one
      */
     public final void press(String event) {
         press(event, Values.NONE);
@@ -55,7 +57,9 @@ public class PushMonitor extends EventMonitor {
     public final void press(String event, Values values) {
         Occurrence pressed = fromController(event, values);
         requireHeard(pressed);
-        push(pressed);
+        if (pass(pressed) == Admission.REFUSED) {
+            throw refusal(pressed);
+        }
     }
 
     /**
@@ -64,14 +68,21 @@ public class PushMonitor extends EventMonitor {
      * monitor has been removed from a converter, none is kept.
      */
     protected final void push(Occurrence occurrence) {
+        pass(occurrence);
+    }
+
+    /** Null if the monitor's thread will report it. */
+    private @Nullable Admission pass(Occurrence occurrence) {
         Objects.requireNonNull(occurrence, "the occurrence is null");
         while (behind.get() > 0 && isServed()) {
             // Occurrences pushed before the converter was built come first; the monitor's thread is reporting them.
             LockSupport.parkNanos(this, LOOK_NANOS);
         }
-        if (behind.get() > 0 || !report(occurrence)) {
+        Admission admission = behind.get() > 0 ? null : report(occurrence);
+        if (admission == null) {
             keep(occurrence);
         }
+        return admission;
     }
 
     private void keep(Occurrence occurrence) {

@@ -16,7 +16,7 @@ public interface Intake<O> {
     enum Admission {
         /** It waits for its turn, or has already ended. */
         TAKEN,
-        /** The loop is closed. */
+        /** The loop is closed, or cannot record it. */
         REFUSED,
         /** There was no room, for the first time since there was last room. */
         FIRST_DROPPED,

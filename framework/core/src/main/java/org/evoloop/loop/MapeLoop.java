@@ -311,21 +311,20 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
 
     /** Queues an occurrence as if a monitor had reported it; false if it was refused or dropped. */
     public boolean offer(O occurrence) {
-        return sequencer.offer(requireNonNull(occurrence, "the occurrence is null"));
+        return sequencer.offer(requireNonNull(occurrence, "the occurrence is null")) == Intake.Admission.TAKEN;
     }
 
     /**
      * Queues an occurrence reported by a monitor of this loop, on the caller's thread instead of the monitor's.
      *
-     * @return false if that has to be left to the monitor: the loop has no threads or is not built yet, or the monitor
+     * @return null if that has to be left to the monitor: the loop has no threads or is not built yet, or the monitor
      *     is not part of it
      */
-    public boolean report(Monitor<O> monitor, O occurrence) {
+    public Intake.@Nullable Admission report(Monitor<O> monitor, O occurrence) {
         if (!config.threads() || sequencer.state() == LoopState.NEW || roster.workerOf(monitor) == null) {
-            return false;
+            return null;
         }
-        sequencer.offer(occurrence);
-        return true;
+        return sequencer.offer(occurrence);
     }
 
     /**

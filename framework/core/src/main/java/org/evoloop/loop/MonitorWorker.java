@@ -64,7 +64,7 @@ final class MonitorWorker<O> extends Worker {
                 rest(asked);
             } else {
                 idle = 0;
-                if (!sequencer.offer(occurrence)) {
+                if (sequencer.offer(occurrence) != Intake.Admission.TAKEN) {
                     // It reports more than there is room for; at least it must not starve the others.
                     LoopThread.giveWay();
                 }

@@ -51,8 +51,8 @@ final class Sequencer<O> {
 
     // What occurs
 
-    /** Queues an occurrence; false if the loop is closed, or the queue full and the occurrence one that may be lost. */
-    boolean offer(O offered) {
+    /** Queues an occurrence, unless it is refused, or the queue is full and the occurrence one that may be lost. */
+    Intake.Admission offer(O offered) {
         Intake.Admission admission = intake.atOnce(offered);
         if (admission == null) {
             lock.acquire();
@@ -66,7 +66,7 @@ final class Sequencer<O> {
         if (admission == Intake.Admission.DROPPED || admission == Intake.Admission.FIRST_DROPPED) {
             listener.dropped(offered, admission == Intake.Admission.FIRST_DROPPED);
         }
-        return admission == Intake.Admission.TAKEN;
+        return admission;
     }
 
     /** Queues an occurrence, waiting for room if it must; false if the loop closes meanwhile. */

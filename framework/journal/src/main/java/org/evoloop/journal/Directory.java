@@ -8,6 +8,7 @@ import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayDeque;
@@ -93,6 +94,13 @@ final class Directory implements AutoCloseable {
             }
         }
         return segments;
+    }
+
+    /**
+     * Whether a listed segment has been deleted since, as its converter does with those that are too old to be kept.
+     */
+    static boolean isGone(Path segment) {
+        return !Files.exists(segment, LinkOption.NOFOLLOW_LINKS);
     }
 
     /**

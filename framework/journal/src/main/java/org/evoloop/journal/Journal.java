@@ -170,9 +170,14 @@ public final class Journal implements ConverterJournal {
     public void replay(Rules rules, Past past) {
         Replay replay = new Replay(rules, Fingerprint.of(rules.table().models()), past);
         for (Path segment : Directory.segments(path)) {
-            // A segment that was deleted meanwhile was too old to be kept.
-            if (SegmentReader.writtenBytes(segment) > 0) {
-                replay.apply(segment);
+            try {
+                if (SegmentReader.writtenBytes(segment) > 0) {
+                    replay.apply(segment);
+                }
+            } catch (JournalException unreadable) {
+                if (!Directory.isGone(segment)) {
+                    throw unreadable;
+                }
             }
         }
     }

@@ -81,14 +81,26 @@ public final class JournalFiles {
         return read;
     }
 
-    /** Reads every segment, oldest first; each is passed on only after it has been read completely. */
+    /**
+     * Reads every segment that is still there, oldest first; each is passed on only after it has been read completely.
+     */
     <T> void each(Function<Path, T> reading, Consumer<T> reader) {
         List<Path> files = Directory.segments(directory);
         for (Path file : files) {
             boolean newest = file.equals(files.get(files.size() - 1));
-            if (!(newest && SegmentReader.writtenBytes(file) == 0)) {
-                reader.accept(whole(file, newest, reading));
+            T segment;
+            try {
+                if (newest && SegmentReader.writtenBytes(file) == 0) {
+                    continue;
+                }
+                segment = whole(file, newest, reading);
+            } catch (JournalException unreadable) {
+                if (Directory.isGone(file)) {
+                    continue;
+                }
+                throw unreadable;
             }
+            reader.accept(segment);
         }
     }
 

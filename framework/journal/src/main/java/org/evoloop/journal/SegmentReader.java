@@ -71,6 +71,12 @@ final class SegmentReader {
     }
 
     private static byte[] read(Path file) {
+        if (!Files.isRegularFile(file)) {
+            // Reading a pipe would never end.
+            throw new JournalException(file + " cannot be read: it is "
+                    + (Files.exists(file) ? "not a regular file" : "missing")
+                    + "; restore a copy of the directory, or use another");
+        }
         try {
             return Files.readAllBytes(file);
         } catch (AccessDeniedException e) {
@@ -80,6 +86,11 @@ final class SegmentReader {
                     e);
         } catch (IOException e) {
             throw new JournalException(file + " cannot be read: " + e.getMessage(), e);
+        } catch (OutOfMemoryError e) {
+            throw new JournalException(
+                    file + " cannot be read: its " + file.toFile().length() + " bytes do not fit into this program's"
+                            + " memory; give it more (-Xmx), or use another directory",
+                    e);
         }
     }
 

@@ -3,14 +3,21 @@ package org.evoloop.journal;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.LongSupplier;
+import java.util.function.Supplier;
+import org.evoloop.converter.ConverterJournal.Past;
 import org.evoloop.core.Core;
 import org.evoloop.core.Input;
+import org.evoloop.core.Output;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
@@ -57,6 +64,58 @@ class JournalFilesTest {
             assertThat(records).extracting(JournalRecord::segment).contains("0000000001.journal", "0000000005.journal");
             assertThat(records).isSortedAccordingTo((one, other) -> Long.compare(one.nanos(), other.nanos()));
         }
+    }
+
+    @Test
+    void segmentsThatAreDeletedWhileTheyAreReadAreLeftOut() {
+        Journal small = Journal.in(directory).withSegmentBytes(1 << 16);
+        try (JournaledCore kept = new JournaledCore(directory, small)) {
+            kept.input(Story.of(Robot.RULES, new Random(4), 20_000));
+            Set<String> read = new TreeSet<>();
+            new JournalFiles(directory).read(record -> {
+                directory.resolve("0000000002.journal").toFile().delete();
+                read.add(record.segment());
+            });
+            assertThat(read)
+                    .contains("0000000001.journal", "0000000003.journal")
+                    .doesNotContain("0000000002.journal");
+
+            directory.resolve("0000000001.journal").toFile().delete();
+            List<Instant> replayed = new ArrayList<>();
+            kept.journal.replay(Robot.RULES, new Past() {
+                @Override
+                public void at(Supplier<Instant> time, LongSupplier nanos) {
+                    directory.resolve("0000000004.journal").toFile().delete();
+                    replayed.add(time.get());
+                }
+
+                @Override
+                public void say(Output output) {}
+            });
+            assertThat(replayed).hasSizeGreaterThan(1);
+        }
+    }
+
+    @Test
+    void aFileThatIsNoSegmentIsReportedWithItsName() throws Exception {
+        Path segment = directory.resolve("0000000001.journal");
+        Files.createDirectory(segment);
+        assertThatThrownBy(() -> read(new ArrayList<>()))
+                .isInstanceOf(JournalException.class)
+                .hasMessage(segment + " cannot be read: it is not a regular file; restore a copy of the directory, or "
+                        + "use another");
+        Files.delete(segment);
+        Files.createSymbolicLink(segment, directory.resolve("nowhere"));
+        assertThatThrownBy(() -> read(new ArrayList<>()))
+                .isInstanceOf(JournalException.class)
+                .hasMessageStartingWith(segment + " cannot be read: it is missing; ");
+        Files.delete(segment);
+        try (RandomAccessFile huge = new RandomAccessFile(segment.toFile(), "rw")) {
+            huge.setLength(3L << 30);
+        }
+        assertThatThrownBy(() -> read(new ArrayList<>()))
+                .isInstanceOf(JournalException.class)
+                .hasMessageStartingWith(segment + " cannot be read: its 3221225472 bytes do not fit");
     }
 
     @Test

@@ -55,6 +55,10 @@ final class JournalExportCommand implements Callable<Integer> {
         if (Files.exists(output)) {
             throw new IllegalArgumentException(output + " exists; delete it, or name another file");
         }
+        Path folder = output.toAbsolutePath().resolveSibling("");
+        if (!Files.isDirectory(folder)) {
+            throw new IllegalArgumentException(output + " cannot be written: " + folder + " is not a directory");
+        }
         try {
             if (format == Format.JSON) {
                 writeJson(files);
@@ -102,7 +106,8 @@ final class JournalExportCommand implements Callable<Integer> {
     }
 
     private void writeTable(JournalFiles files) throws SQLException {
-        try (RecordTable table = new RecordTable(output.toString())) {
+        // Some names, such as :memory:, do not name a file; an absolute path always does.
+        try (RecordTable table = new RecordTable(output.toAbsolutePath().toString())) {
             List<SegmentInfo> segments = files.read(each -> {
                 try {
                     table.add(each);

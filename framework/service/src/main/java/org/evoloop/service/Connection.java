@@ -23,6 +23,8 @@ final class Connection {
     /** The longest request in bytes, including its line feed. */
     static final int LONGEST_LINE = 4096;
 
+    static final String TOO_LONG = "the command is longer than " + (LONGEST_LINE - 1) + " bytes";
+
     static final Duration LIMIT = Duration.ofSeconds(30);
 
     private static final Logger LOG = LoggerFactory.getLogger(Connection.class);
@@ -35,6 +37,7 @@ final class Connection {
     private ByteBuffer out = NOTHING;
     private boolean busy;
     private boolean endOfRequests;
+    private boolean refused;
     private Clock.@Nullable Timer deadline;
 
     Connection(ControlServer server, SocketChannel channel, Selector selector) throws IOException {
@@ -65,6 +68,10 @@ final class Connection {
     }
 
     private boolean read() throws IOException {
+        if (refused) {
+            discard();
+            return false;
+        }
         if (endOfRequests) {
             // A client that has asked for the end learns of it when the connection closes.
             if (server.commands().isEnding()) {
@@ -97,16 +104,26 @@ final class Connection {
             }
         }
         if (!in.hasRemaining()) {
-            refuse("the command is longer than " + (LONGEST_LINE - 1) + " bytes");
+            refuse(TOO_LONG);
             return true;
         }
         return false;
     }
 
     private void refuse(String why) {
-        endOfRequests = true;
+        refused = true;
         in.clear();
         out = ByteBuffer.wrap(Reply.refusal(why));
+    }
+
+    /** A connection that is closed before everything was read would take the answer from a client that is still sending. */
+    private void discard() throws IOException {
+        channel.shutdownOutput();
+        int count = channel.read(in);
+        in.clear();
+        if (count < 0) {
+            drop();
+        }
     }
 
     private void perform(String line) {

@@ -1,19 +1,14 @@
 package org.evoloop.service;
 
-import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.PrintStream;
-import java.net.StandardProtocolFamily;
-import java.net.UnixDomainSocketAddress;
-import java.nio.ByteBuffer;
-import java.nio.channels.Channels;
-import java.nio.channels.SocketChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 import org.evoloop.console.Console;
 import org.evoloop.statemachine.Names;
@@ -47,13 +42,18 @@ public final class Ctl {
     private final PrintStream err;
 
     private final boolean onTerminal;
+    private final Duration patience;
 
-    /** @param onTerminal whether {@code out} is a terminal */
-    Ctl(Instances instances, PrintStream out, PrintStream err, boolean onTerminal) {
+    /**
+     * @param onTerminal whether {@code out} is a terminal
+     * @param patience see {@link Instance#PATIENCE}
+     */
+    Ctl(Instances instances, PrintStream out, PrintStream err, boolean onTerminal, Duration patience) {
         this.instances = instances;
         this.out = out;
         this.err = err;
         this.onTerminal = onTerminal;
+        this.patience = patience;
     }
 
     /** Runs the client, and ends the program with its exit status. */
@@ -63,13 +63,29 @@ public final class Ctl {
 
     /** Runs the client. @return the exit status */
     public static int run(List<String> arguments) {
-        return new Ctl(new Instances(System.getenv()), System.out, System.err, Console.isOnTerminal()).call(arguments);
+        return new Ctl(
+                        new Instances(System.getenv()),
+                        System.out,
+                        System.err,
+                        Console.isOnTerminal(),
+                        Instance.PATIENCE)
+                .call(arguments);
     }
 
     int call(List<String> arguments) {
+        int status = answer(arguments);
+        if (status == 0 && out.checkError()) {
+            // A stream reports a full disk or a closed pipe only here.
+            err.println("error: standard output: the answer could not be written in full");
+            return 1;
+        }
+        return status;
+    }
+
+    private int answer(List<String> arguments) {
         if (arguments.isEmpty()) {
             running().keySet().forEach(out::println);
-            instances.hidden().forEach(directory -> err.println(ofOthers(directory)));
+            instances.closedDirectories().forEach(directory -> err.println("note: " + elsewhere(directory)));
             return 0;
         }
         String name = arguments.get(0);
@@ -104,96 +120,53 @@ public final class Ctl {
 
     /** The line to be typed at the console. */
     private static String line(List<String> words) {
-        String line = words.stream()
-                .map(word ->
-                        word.matches("[^\\s'\"]+") ? word : word.contains("'") ? '"' + word + '"' : "'" + word + "'")
-                .collect(Collectors.joining(" "));
+        String line = words.stream().map(Ctl::quoted).collect(Collectors.joining(" "));
         if (line.contains("\n") || line.contains("\r")) {
             throw new IllegalArgumentException("a command is one line");
         }
-        // The instance would hang up before it has read all, and its answer could be lost with the rest.
         if (line.getBytes(StandardCharsets.UTF_8).length >= Connection.LONGEST_LINE) {
-            throw new IllegalArgumentException(
-                    "the command is longer than " + (Connection.LONGEST_LINE - 1) + " bytes");
+            throw new IllegalArgumentException(Connection.TOO_LONG);
         }
         return line;
     }
 
-    private Map<String, Path> running() {
-        Map<String, Path> found = new LinkedHashMap<>();
+    private static String quoted(String word) {
+        if (word.matches("[^\\s'\"]+")) {
+            return word;
+        }
+        return word.contains("'") && !word.contains("\"") ? '"' + word + '"' : "'" + word.replace("'", "'\"'\"'") + "'";
+    }
+
+    private Map<String, Instance> running() {
+        Map<String, Instance> found = new LinkedHashMap<>();
         for (Path socket : instances.sockets()) {
-            if (answers(socket)) {
-                found.putIfAbsent(Instances.nameOf(socket), socket);
+            Instance instance = new Instance(socket, patience);
+            if (instance.isThere()) {
+                found.putIfAbsent(Instances.nameOf(socket), instance);
             }
         }
         return found;
     }
 
-    private String missing(String name, Map<String, Path> running) {
-        String others = instances.hidden().stream()
-                .map(directory -> "; " + ofOthers(directory))
-                .collect(Collectors.joining());
-        String none = others.isEmpty() ? "; none is" : " for this user";
-        return "no instance named " + name + " is running"
-                + (running.isEmpty() ? none : Names.hint(name, running.keySet())) + others;
-    }
-
-    private static String ofOthers(Path directory) {
-        return "the instances in " + directory + " belong to another user; use sudo to see them";
-    }
-
-    private static boolean answers(Path socket) {
-        try {
-            connect(socket).close();
-            return true;
-        } catch (IOException leftByOneThatDied) {
-            return false;
-        }
-    }
-
-    private static SocketChannel connect(Path socket) throws IOException {
-        SocketChannel channel = SocketChannel.open(StandardProtocolFamily.UNIX);
-        try {
-            channel.connect(UnixDomainSocketAddress.of(socket));
-            return channel;
-        } catch (IOException failure) {
-            channel.close();
-            throw failure;
-        }
-    }
-
     private int command(String name, String line, PrintStream results) throws IOException {
-        Map<String, Path> running = running();
-        Path socket = running.get(name);
-        if (socket == null) {
-            throw new IllegalArgumentException(missing(name, running));
+        Map<String, Instance> running = running();
+        Instance instance = running.get(name);
+        if (instance == null) {
+            throw new IllegalArgumentException(missing(name, running.keySet()));
         }
-        try (SocketChannel channel = connect(socket)) {
-            ByteBuffer request = StandardCharsets.UTF_8.encode(line + "\n");
-            while (request.hasRemaining()) {
-                channel.write(request);
-            }
-            // Announces that no request follows: the instance then closes the connection after its answer, or when it
-            // has ended.
-            channel.shutdownOutput();
-            return show(new BufferedReader(Channels.newReader(channel, StandardCharsets.UTF_8)), results);
-        }
+        return instance.perform(line, results, err);
     }
 
-    private int show(BufferedReader answer, PrintStream results) throws IOException {
-        int status = -1;
-        for (String line = answer.readLine(); line != null; line = answer.readLine()) {
-            if (line.startsWith(Reply.OUT)) {
-                results.println(line.substring(Reply.OUT.length()));
-            } else if (line.startsWith(Reply.ERR)) {
-                err.println(line.substring(Reply.ERR.length()));
-            } else if (line.startsWith(Reply.END)) {
-                status = Integer.parseInt(line.substring(Reply.END.length()));
-            }
-        }
-        if (status < 0) {
-            throw new IOException("it has closed the connection");
-        }
-        return status;
+    private String missing(String name, Set<String> running) {
+        String closed = instances.closedDirectories().stream()
+                .map(directory -> "; " + elsewhere(directory))
+                .collect(Collectors.joining());
+        String none = closed.isEmpty() ? "; none is" : " for this user";
+        return "no instance named " + name + " is running" + (running.isEmpty() ? none : Names.hint(name, running))
+                + closed;
+    }
+
+    private static String elsewhere(Path directory) {
+        return "instances in " + directory + " can be reached only by its owner and root; try it with sudo";
     }
 }

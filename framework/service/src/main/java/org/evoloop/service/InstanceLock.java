@@ -36,20 +36,29 @@ final class InstanceLock implements AutoCloseable {
                 PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------")));
         boolean ours = false;
         try {
-            ours = tryLock(file) != null;
-            if (!ours) {
+            if (tryLock(file) == null) {
                 throw new IllegalArgumentException("an instance named " + name + " is running already (process "
                         + Files.readString(path).strip() + "); give this one another --name, or end that one: ctl "
                         + name
                         + " exit");
             }
-            file.truncate(0);
-            file.write(ByteBuffer.wrap((ProcessHandle.current().pid() + "\n").getBytes(StandardCharsets.US_ASCII)));
+            note(file, path);
+            ours = true;
             return new InstanceLock(file);
         } finally {
             if (!ours) {
                 file.close();
             }
+        }
+    }
+
+    /** Writes the number of this process into the locked file. */
+    private static void note(FileChannel file, Path path) throws IOException {
+        try {
+            file.truncate(0);
+            file.write(ByteBuffer.wrap((ProcessHandle.current().pid() + "\n").getBytes(StandardCharsets.US_ASCII)));
+        } catch (IOException failure) {
+            throw new IOException(path + " cannot be written: " + failure.getMessage(), failure);
         }
     }
 

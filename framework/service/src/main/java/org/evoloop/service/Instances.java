@@ -29,10 +29,17 @@ final class Instances {
     private static final Path SYSTEM = Path.of("/run/evoloop");
 
     private final Map<String, String> environment;
+    private final Path temporary;
 
     /** @param environment of the process */
     Instances(Map<String, String> environment) {
+        this(environment, Path.of(System.getProperty("java.io.tmpdir"), "evoloop-" + System.getProperty("user.name")));
+    }
+
+    /** @param temporary this user's directory where anyone may create directories */
+    Instances(Map<String, String> environment, Path temporary) {
         this.environment = environment;
+        this.temporary = temporary;
     }
 
     /** @throws IllegalArgumentException if {@code name} is not a valid instance name */
@@ -47,7 +54,7 @@ final class Instances {
     /** The directory for the sockets of instances in this environment. */
     Path directory() {
         Path own = own();
-        return own != null ? own : temporary();
+        return own != null ? own : temporary;
     }
 
     private @Nullable Path own() {
@@ -58,10 +65,6 @@ final class Instances {
         // A unit with several directories gets all of them, separated by colons.
         String service = environment.getOrDefault("RUNTIME_DIRECTORY", "").split(":", 2)[0];
         return service.isEmpty() ? null : Path.of(service);
-    }
-
-    private static Path temporary() {
-        return Path.of(System.getProperty("java.io.tmpdir"), "evoloop-" + System.getProperty("user.name"));
     }
 
     /**
@@ -89,7 +92,7 @@ final class Instances {
         Set<Path> all = new LinkedHashSet<>();
         all.add(directory());
         all.add(SYSTEM);
-        all.add(temporary());
+        all.add(temporary);
         return List.copyOf(all);
     }
 
@@ -97,6 +100,10 @@ final class Instances {
     List<Path> sockets() {
         List<Path> found = new ArrayList<>();
         for (Path directory : directories()) {
+            if (directory.equals(temporary) && !PrivateDirectory.isOwn(directory)) {
+                // Somebody else may have put it there, with a socket that answers in an instance's place.
+                continue;
+            }
             try (DirectoryStream<Path> files = Files.newDirectoryStream(directory, "*" + SOCKET)) {
                 Set<Path> sorted = new TreeSet<>();
                 files.forEach(sorted::add);
@@ -108,9 +115,10 @@ final class Instances {
         return found;
     }
 
-    /** The directories that are there, but that this user may not look into. */
-    List<Path> hidden() {
+    /** The directories whose instances this user may not see. */
+    List<Path> closedDirectories() {
         return directories().stream()
+                .filter(directory -> !directory.equals(temporary))
                 .filter(directory -> Files.isDirectory(directory) && !Files.isReadable(directory))
                 .toList();
     }

@@ -37,9 +37,22 @@ final class PrivateDirectory {
         }
     }
 
+    /** Whether {@code directory} is a directory, not a link to one, and belongs to this user. */
+    static boolean isOwn(Path directory) {
+        try {
+            return owns(directory);
+        } catch (IOException unknown) {
+            return false;
+        }
+    }
+
+    private static boolean owns(Path directory) throws IOException {
+        return Files.isDirectory(directory, LinkOption.NOFOLLOW_LINKS)
+                && owner(directory).equals(user());
+    }
+
     private static void requireOwn(Path directory) throws IOException {
-        if (!Files.isDirectory(directory, LinkOption.NOFOLLOW_LINKS)
-                || !owner(directory).equals(user())) {
+        if (!owns(directory)) {
             throw new IOException(
                     directory + " is not a directory of this user; it is where control sockets are kept. Remove"
                             + " it, or set XDG_RUNTIME_DIR to a directory of your own");

@@ -94,9 +94,10 @@ public final class Service implements AutoCloseable {
         try (ServiceManager manager = new ServiceManager(environment, console, clock, options.start())) {
             if (options.start()) {
                 console.outliveInput();
-                console.converters().forEach(SystemEventConverter::start);
+                console.onBegin(() -> console.converters().forEach(SystemEventConverter::start));
             }
-            manager.ready();
+            // Only in the run do signals end the program in order, and a service manager may send one at once.
+            console.onBegin(manager::ready);
             return console.run();
         }
     }

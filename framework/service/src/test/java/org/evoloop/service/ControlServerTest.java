@@ -122,7 +122,7 @@ class ControlServerTest {
         assertThat(client.line()).isEqualTo("out done " + longest);
         assertThat(client.line()).isEqualTo("end 0");
 
-        client.send(longest + "x");
+        client.send(longest + "x".repeat(100_000));
         assertThat(client.line()).isEqualTo("err error: the command is longer than 4095 bytes");
         assertThat(client.line()).isEqualTo("end 2");
         assertThat(client.line()).isNull();

@@ -6,13 +6,17 @@ import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.CountDownLatch;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -23,6 +27,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 class InstancesTest {
     @TempDir
     private Path runtime;
+
+    private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
+    private final PrintStream out = new PrintStream(printed, true, StandardCharsets.UTF_8);
 
     private Service open(String name) throws IOException {
         return Service.open(
@@ -104,61 +111,110 @@ class InstancesTest {
 
     @Test
     void theClientListsTheInstances() throws Exception {
-        ByteArrayOutputStream text = new ByteArrayOutputStream();
-        PrintStream all = new PrintStream(text, true, StandardCharsets.UTF_8);
-        Ctl ctl = new Ctl(new Instances(Map.of("XDG_RUNTIME_DIR", runtime.toString())), all, all, false);
         Path directory = Files.createDirectory(runtime.resolve("evoloop"));
         Files.createFile(directory.resolve("dead.sock"));
 
         try (ControlServer lamp = new ControlServer(directory.resolve("lamp.sock"), new Echo(), new ManualClock())) {
             assertThat(lamp.commands().isEnding()).isFalse();
-            assertThat(ctl.call(List.of())).isZero();
-            assertThat(ctl.call(List.of("lamp", "press", "a b", "it's"))).isZero();
-            assertThat(ctl.call(List.of("lamp", "fail"))).isEqualTo(1);
-            assertThat(ctl.call(List.of("lamp", "x".repeat(4095)))).isZero();
-            assertThat(ctl.call(List.of("lamp", "x".repeat(100_000)))).isEqualTo(2);
-            assertThat(ctl.call(List.of("lump", "status"))).isEqualTo(2);
-            assertThat(ctl.call(List.of("lamp"))).isEqualTo(2);
-            assertThat(ctl.call(List.of("a b", "status"))).isEqualTo(2);
+            assertThat(ctl()).isZero();
+            assertThat(ctl("lamp", "press", "a b", "it's", "it's 5\"")).isZero();
+            assertThat(ctl("lamp", "fail")).isEqualTo(1);
+            assertThat(ctl("lamp", "x".repeat(4_095))).isZero();
+            assertThat(ctl("lamp", "x".repeat(100_000))).isEqualTo(2);
+            assertThat(ctl("lump", "status")).isEqualTo(2);
+            assertThat(ctl("lamp")).isEqualTo(2);
+            assertThat(ctl("a b", "status")).isEqualTo(2);
         }
 
-        assertThat(text.toString(StandardCharsets.UTF_8).lines())
-                .contains("lamp", "press 'a b' \"it's\"", "no")
+        assertThat(printed.toString(StandardCharsets.UTF_8).lines())
+                .contains("lamp", "press 'a b' \"it's\" 'it'\"'\"'s 5\"'", "no")
                 .anyMatch(line -> line.startsWith("error: no instance named lump is running; did you mean lamp?"))
-                .contains("error: the command is longer than 4095 bytes")
                 .contains("error: give a command for lamp: ctl lamp help lists its commands")
+                .contains("error: the command is longer than 4095 bytes")
                 .doesNotContain("dead");
     }
 
     @Test
-    void theClientNamesADirectoryWhereItMayNotLook() throws Exception {
-        ByteArrayOutputStream results = new ByteArrayOutputStream();
-        ByteArrayOutputStream errors = new ByteArrayOutputStream();
-        Ctl ctl = new Ctl(
-                new Instances(Map.of("XDG_RUNTIME_DIR", runtime.toString())),
-                new PrintStream(results, true, StandardCharsets.UTF_8),
-                new PrintStream(errors, true, StandardCharsets.UTF_8),
-                false);
+    void theClientTrustsNoDirectoryThatAnyoneMayHaveMade(@TempDir Path elsewhere) throws Exception {
+        Path temporary = runtime.resolve("evoloop-user");
+        Files.createFile(elsewhere.resolve("lamp.sock"));
+        Files.createSymbolicLink(temporary, elsewhere);
+        Instances instances = new Instances(Map.of(), temporary);
+        assertThat(instances.sockets()).noneMatch(socket -> socket.startsWith(temporary));
+
+        Files.delete(temporary);
+        Files.createDirectory(temporary);
+        Path own = Files.createFile(temporary.resolve("lamp.sock"));
+        assertThat(instances.sockets()).contains(own);
+    }
+
+    @Test
+    void theClientWaitsForASlowCommandWhileTheInstanceIsAlive() throws Exception {
         Path directory = Files.createDirectory(runtime.resolve("evoloop"));
-        Files.setPosixFilePermissions(directory, PosixFilePermissions.fromString("---------"));
-        try {
-            assumeFalse(Files.isReadable(directory), "root may look everywhere");
-            assertThat(ctl.call(List.of())).isZero();
-            assertThat(ctl.call(List.of("lamp", "status"))).isEqualTo(2);
-        } finally {
-            Files.setPosixFilePermissions(directory, PosixFilePermissions.fromString("rwx------"));
+        Echo slow = new Echo();
+
+        try (ControlServer lamp = new ControlServer(directory.resolve("lamp.sock"), slow, new ManualClock())) {
+            assertThat(lamp.commands().isEnding()).isFalse();
+            // It takes until the client has asked whether the instance is alive.
+            assertThat(new Ctl(instances(), out, out, false, Duration.ofSeconds(2)).call(List.of("lamp", "slow")))
+                    .isZero();
         }
-        assertThat(results.toString(StandardCharsets.UTF_8)).isEmpty();
-        assertThat(errors.toString(StandardCharsets.UTF_8).lines())
-                .containsExactly(
-                        "the instances in " + directory + " belong to another user; use sudo to see them",
-                        "error: no instance named lamp is running for this user; the instances in " + directory
-                                + " belong to another user; use sudo to see them");
+
+        assertThat(printed.toString(StandardCharsets.UTF_8)).isEqualToIgnoringNewLines("slow");
+    }
+
+    @Test
+    void theClientNamesADirectoryThatIsClosedToItsUser() throws Exception {
+        Path directory = Files.createDirectory(runtime.resolve("evoloop"));
+        Files.setPosixFilePermissions(directory, Set.of());
+        assumeFalse(Files.isReadable(directory), "root may read every directory");
+        String closed = "instances in " + directory + " can be reached only by its owner and root; try it with sudo";
+
+        assertThat(ctl()).isZero();
+        assertThat(ctl("lamp", "status")).isEqualTo(2);
+
+        Files.setPosixFilePermissions(directory, PosixFilePermissions.fromString("rwx------"));
+        assertThat(printed.toString(StandardCharsets.UTF_8).lines())
+                .contains("note: " + closed)
+                .anyMatch(line -> line.startsWith("error: no instance named lamp is running") && line.contains(closed));
+    }
+
+    @Test
+    void anAnswerThatCannotBeWrittenIsAFailure() {
+        PrintStream full = new PrintStream(new OutputStream() {
+            @Override
+            public void write(int octet) throws IOException {
+                throw new IOException("No space left on device");
+            }
+        });
+
+        assertThat(new Ctl(instances(), full, out, false, Instance.PATIENCE).call(List.of("--help")))
+                .isEqualTo(1);
+
+        assertThat(printed.toString(StandardCharsets.UTF_8))
+                .isEqualToIgnoringNewLines("error: standard output: the answer could not be written in full");
+    }
+
+    private Instances instances() {
+        return new Instances(Map.of("XDG_RUNTIME_DIR", runtime.toString()));
+    }
+
+    private int ctl(String... words) {
+        return new Ctl(instances(), out, out, false, Instance.PATIENCE).call(List.of(words));
     }
 
     private static final class Echo implements Commands {
+        private final CountDownLatch sign = new CountDownLatch(1);
+
         @Override
-        public int perform(String line, PrintStream results, PrintStream errors) {
+        public int perform(String line, PrintStream results, PrintStream errors) throws InterruptedException {
+            if (line.isEmpty()) {
+                sign.countDown();
+                return 0;
+            }
+            if (line.equals("slow")) {
+                sign.await();
+            }
             results.println(line.equals("fail") ? "no" : line);
             return line.equals("fail") ? 1 : 0;
         }

@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Map;
+import java.util.concurrent.TimeUnit;
 import org.evoloop.JavaProcess;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -115,6 +116,26 @@ class NotifyTest {
         assertThat(next(messages, "WATCHDOG=1")).isEqualTo("WATCHDOG=1 STATUS=lamp running: off / off");
         command("exit");
         assertThat(next(messages, "STOPPING=1")).isEqualTo("STOPPING=1 STATUS=stopping: exit");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"TERM", "HUP"})
+    void aProgramThatIsReadyHandlesSignals(String signal) throws Exception {
+        assumeTrue(hasPrograms());
+        String address = runtime.resolve("notify").toString();
+        BufferedReader messages = manage(address);
+        startLamp(address, "600000");
+        assertThat(messages.readLine()).startsWith("READY=1");
+
+        JavaProcess.signal(signal, lamp);
+
+        if (signal.equals("HUP")) {
+            next(messages, "WATCHDOG=1");
+            JavaProcess.signal("TERM", lamp);
+        }
+        assertThat(next(messages, "STOPPING=1")).isEqualTo("STOPPING=1 STATUS=stopping: SIGTERM");
+        assertThat(lamp.waitFor(60, TimeUnit.SECONDS)).isTrue();
+        assertThat(lamp.exitValue()).isZero();
     }
 
     @Test

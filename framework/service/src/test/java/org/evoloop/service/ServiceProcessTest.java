@@ -8,6 +8,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -32,6 +33,7 @@ class ServiceProcessTest {
     private Path runtime;
 
     private final List<Process> processes = new ArrayList<>();
+    private Duration patience = Instance.PATIENCE;
 
     @AfterEach
     void leaveNoProcess() throws InterruptedException {
@@ -60,8 +62,8 @@ class ServiceProcessTest {
         PrintStream all = new PrintStream(text, true, StandardCharsets.UTF_8);
         List<String> arguments = new ArrayList<>(List.of("lamp"));
         arguments.addAll(List.of(words));
-        int status =
-                new Ctl(new Instances(Map.of("XDG_RUNTIME_DIR", runtime.toString())), all, all, false).call(arguments);
+        int status = new Ctl(new Instances(Map.of("XDG_RUNTIME_DIR", runtime.toString())), all, all, false, patience)
+                .call(arguments);
         all.println(status);
         return text.toString(StandardCharsets.UTF_8).lines().toList();
     }
@@ -141,6 +143,37 @@ class ServiceProcessTest {
         awaitRunning();
         assertThat(ctl("exit")).containsExactly("0");
         assertThat(end(third)).isZero();
+    }
+
+    @Test
+    void aFrozenInstanceIsNotWaitedForForEver() throws Exception {
+        Process lamp = start(NO_INPUT, "--start", "--name", "lamp");
+        awaitRunning();
+        JavaProcess.signal("STOP", lamp);
+        patience = Duration.ofMillis(100);
+
+        assertThat(ctl("status")).containsExactly("error: lamp does not answer: its process is stopped or hangs", "1");
+
+        JavaProcess.signal("CONT", lamp);
+        patience = Instance.PATIENCE;
+        assertThat(ctl("exit")).containsExactly("0");
+        assertThat(end(lamp)).isZero();
+    }
+
+    @Test
+    void aFullDiskIsReportedWithTheFile() throws Exception {
+        // A file that may not grow, as on a full disk.
+        ProcessBuilder builder = new ProcessBuilder("sh", "-c", "ulimit -f 0; exec \"$0\" \"$@\"");
+        List<String> command = JavaProcess.command(LampProgram.class, "--name", "lamp");
+        command.add(1, "-XX:-UsePerfData");
+        builder.command().addAll(command);
+        builder.environment().put("XDG_RUNTIME_DIR", runtime.toString());
+        Process lamp = builder.start();
+        processes.add(lamp);
+
+        assertThat(lamp.errorReader(StandardCharsets.UTF_8).lines())
+                .anyMatch(line -> line.contains(runtime.resolve("evoloop/lamp.lock") + " cannot be written: "));
+        assertThat(end(lamp)).isNotZero();
     }
 
     @Test
