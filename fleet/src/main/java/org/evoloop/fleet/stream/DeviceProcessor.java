@@ -150,7 +150,8 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
         if (known == null) {
             Model model = library.model(version);
             letters.begin(version, null);
-            Device device = new Device(model, patienceNanos, letters, clock.atMost(record.timestamp()));
+            Device device =
+                    new Device(model, devices.past(id), patienceNanos, letters, clock.atMost(record.timestamp()));
             store(id, null, device, record.timestamp());
         } else if (!known.model().equals(version)) {
             throw new Refusal(

@@ -51,6 +51,35 @@ class BadRecordsTest {
         }
     }
 
+    /** Its executor skips commands with the numbers of earlier ones, and its edge visits. */
+    @Test
+    void aDeviceThatIsRegisteredAgainContinuesItsNumbers() throws Exception {
+        try (RunningFleet fleet = new RunningFleet(directory)) {
+            fleet.publish("lamp-1", Models.LAMP.bytes());
+            fleet.register("lamp", "lamp-1");
+            fleet.press("lamp");
+            fleet.answer("lamp", 1, Answer.Outcome.SENT);
+            fleet.cluster.readUntil(
+                    records -> records.of(Topic.DECISIONS, "lamp").size() == 1);
+            fleet.cluster.write(Topic.DEVICES, "lamp", null);
+            String press = Wire.text(RunningFleet.press(RunningFleet.nowNanos()));
+            bad(fleet, "lamp", Topic.OCCURRENCES, press, "unknown-device", "no device lamp");
+            fleet.cluster.write(Topic.DEVICES, "lamp", Wire.device("lamp-1"));
+            fleet.press("lamp");
+            fleet.answer("lamp", 2, Answer.Outcome.SENT);
+            fleet.cluster.readUntil(
+                    records -> records.of(Topic.DECISIONS, "lamp").size() == 2);
+            assertThat(fleet.cluster.records().of(Topic.COMMANDS, "lamp").get(1))
+                    .contains("\"sequence\":2,");
+            List<String> states = fleet.cluster.records().of(Topic.STATES, "lamp");
+            assertThat(states.subList(2, 5))
+                    .satisfiesExactly(
+                            removed -> assertThat(removed).isEqualTo("null"),
+                            again -> assertThat(again).contains("\"system\":\"off\",\"visit\":3,", "\"sequence\":1,"),
+                            pressed -> assertThat(pressed).contains("\"system\":\"on\",\"visit\":4,"));
+        }
+    }
+
     private static void bad(
             RunningFleet fleet, String device, Topic topic, String record, String reason, String detail) {
         int before = fleet.cluster.records().of(Topic.DEAD_LETTERS, device).size();
