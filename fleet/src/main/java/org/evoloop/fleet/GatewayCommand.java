@@ -95,7 +95,9 @@ final class GatewayCommand implements Callable<Integer> {
             new CountDownLatch(1).await();
         } catch (UncheckedIOException unusable) {
             throw new IllegalArgumentException(
-                    "--journal: " + unusable.getMessage() + "; give a directory that this program may write", unusable);
+                    "--journal: " + unusable.getMessage()
+                            + "; give a directory that this program may write, and no other uses",
+                    unusable);
         }
         return 0;
     }
