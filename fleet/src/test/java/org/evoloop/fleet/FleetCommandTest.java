@@ -7,10 +7,12 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.awaitility.Awaitility;
 import org.evoloop.fleet.stream.Fleet;
 import org.evoloop.fleet.stream.FleetSettings;
 import org.evoloop.fleet.wire.Topic;
@@ -70,6 +72,40 @@ class FleetCommandTest {
                 .isZero();
         out.getBuffer().setLength(0);
         mistake("--journal: /dev/null/j cannot be used", gateway("a", "/dev/null/j"));
+    }
+
+    @Test
+    void programsThatAreAskedToEndHaveStatusZero() throws Exception {
+        String[] cluster = {"--bootstrap", Brokers.shared(), "--name", Brokers.freshFleet()};
+        assertThat(run(with(cluster, "fleet", "--create-topics", "--partitions", "1")))
+                .isZero();
+        String state = directory.resolve("state").toString();
+        ends("an instance of the fleet '" + cluster[3] + "' runs", with(cluster, "fleet", "--state-dir", state));
+        String journal = directory.resolve("journal").toString();
+        ends(
+                "Kafka can be reached",
+                with(cluster, "gateway", "--mqtt", "mqtt://localhost:1", "--device", "a", "--journal", journal));
+        // It has run before, so it stores records until Kafka is back. A wrong address is found out at the first start.
+        String[] unreachable = {"--bootstrap", "localhost:1", "--mqtt", "mqtt://localhost:1", "--device", "a"};
+        ends("Kafka is not reached", with(unreachable, "gateway", "--journal", journal));
+        out.getBuffer().setLength(0);
+        mistake(
+                "the Kafka broker at localhost:1 does not answer",
+                with(unreachable, "gateway", "--journal", journal + 2));
+    }
+
+    private void ends(String running, String... arguments) throws Exception {
+        Path log = directory.resolve(arguments[0] + ".log");
+        Process program = TestProcess.start(log, Main.class, arguments);
+        try {
+            Awaitility.await()
+                    .atMost(Duration.ofSeconds(90))
+                    .until(() -> Files.readString(log).contains(running));
+            program.destroy();
+            assertThat(program.waitFor()).isZero();
+        } finally {
+            TestProcess.kill(program);
+        }
     }
 
     /** An instance that can never run ends; it does not try again and again. */

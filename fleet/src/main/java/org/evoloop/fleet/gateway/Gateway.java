@@ -125,6 +125,10 @@ public final class Gateway implements AutoCloseable {
                 ? "{\"atMillis\":" + System.currentTimeMillis() + ',' + payload.substring(1)
                 : payload;
         long number = number(record, "number");
+        if (number == 0 && topic == Topic.OCCURRENCES && message.kind() == Message.Kind.STATE) {
+            LOG.warn("a retained record on {} is ignored: it comes again with every connection", message.topic());
+            return;
+        }
         if (isEarlierMissing(device, number, record)) {
             LOG.debug("record {} of {} is not stored: it comes again after those before it", number, device);
             return;

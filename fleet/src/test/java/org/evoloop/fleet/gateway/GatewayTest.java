@@ -182,6 +182,33 @@ class GatewayTest {
         }
     }
 
+    /** It comes again whenever the gateway connects. */
+    @Test
+    void aRetainedRecordWithoutANumberIsIgnored() throws Exception {
+        List<String> kept = new CopyOnWriteArrayList<>();
+        try (Mosquitto mosquitto = new Mosquitto(directory).start();
+                BrokerConnection device = new BrokerConnection(BrokerAddress.parse(mosquitto.url()), "device");
+                // It does not reach Kafka, so what it stores is counted.
+                Gateway gateway = gateway("localhost:1", FLEET, mosquitto, Set.of("a", "b"), "journal")) {
+            device.subscribe("evoloop/b/kept", message -> kept.add(message.payload()));
+            device.open();
+            device.publish(Message.state("evoloop/a/occurrence", "{\"event\":\"switch\"}"));
+            device.publish(Message.state("evoloop/b/occurrence", "{\"event\":\"switch\",\"number\":7}"));
+            device.publish(Message.state("evoloop/b/end", "there"));
+            try (BrokerConnection later = new BrokerConnection(BrokerAddress.parse(mosquitto.url()), "later")) {
+                List<String> ends = new CopyOnWriteArrayList<>();
+                later.subscribe("evoloop/b/end", message -> ends.add(message.payload()));
+                later.open();
+                Awaitility.await().atMost(LIMIT).until(() -> !ends.isEmpty());
+            }
+            gateway.start();
+            Awaitility.await().atMost(LIMIT).until(() -> kept.contains(kept(7)));
+            device.publish(Message.event("evoloop/b/occurrence", "{\"event\":\"switch\",\"number\":8}"));
+            Awaitility.await().atMost(LIMIT).until(() -> kept.contains(kept(8)));
+            assertThat(gateway.waiting()).isEqualTo(2);
+        }
+    }
+
     private static void state(Cluster cluster, String device, String state) {
         cluster.write(Topic.STATES, device, state.getBytes(StandardCharsets.UTF_8));
         cluster.flush();

@@ -81,6 +81,11 @@ public final class Outbox implements AutoCloseable {
         }
     }
 
+    /** Whether there has been an outbox in {@code directory}. */
+    public static boolean isIn(Path directory) {
+        return Files.exists(directory.resolve("outbox"));
+    }
+
     /** The lock is the process's, and ends with it. */
     private static FileChannel owner(Path lock) throws IOException {
         FileChannel channel = FileChannel.open(lock, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
