@@ -95,6 +95,13 @@ final class ClusterOptions {
         return ModelRecord.read(version, record);
     }
 
+    /** @throws FleetException if {@code text} is empty: a topic takes no record without a key */
+    static void requireName(String what, String text) {
+        if (text.isBlank()) {
+            throw new FleetException(what + " is empty");
+        }
+    }
+
     /** The record of the models published as {@code version}; null if there are none. */
     byte @Nullable [] models(String version) {
         return last(Topic.MODELS).get(version);

@@ -111,6 +111,9 @@ final class FleetCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
+        if (partitions != null && !createTopics) {
+            throw new ParameterException(spec.commandLine(), "--partitions is for --create-topics");
+        }
         if (demo) {
             return demo();
         }

@@ -79,6 +79,7 @@ final class GatewayCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
+        EdgeDevice.requireTopicName("--gateway", name);
         for (String device : devices) {
             EdgeDevice.requireTopicName("the device", device);
         }

@@ -82,6 +82,7 @@ final class RolloutCommand implements Callable<Integer> {
                 throw new IllegalArgumentException("a share is " + share + " %, allowed is 0 to 100");
             }
         }
+        ClusterOptions.requireName("the rollout's name", rollout);
         Path file = mapping;
         String text = file == null ? "" : ClusterOptions.text(file);
         if (from.equals(to)) {

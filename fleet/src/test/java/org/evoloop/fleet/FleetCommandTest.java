@@ -39,6 +39,9 @@ class FleetCommandTest {
     void mistakesGiveOneMessage() throws Exception {
         mistake("give --bootstrap HOST:PORT, or --demo", "fleet");
         mistake("--devices is 0, allowed is 1 to 1000000", "fleet", "--demo", "--devices", "0");
+        mistake("--partitions is for --create-topics", "fleet", "--bootstrap", "localhost:1", "--partitions", "3");
+        mistake("a device's id is empty", "fleet", "register", "--bootstrap", "localhost:1", "--model", "m", "a", "");
+        mistake("the rollout's name is empty", rollout(new String[] {"--bootstrap", "localhost:1"}, "", "1", "2"));
         mistake("--devices is for --demo", "fleet", "--bootstrap", "localhost:1", "--devices", "3");
         mistake("'nowhere' is not the address of a Kafka broker", "fleet", "--bootstrap", "nowhere");
         mistake("the fleet's name is 'a b'", "fleet", "--bootstrap", Brokers.shared(), "--name", "a b");
@@ -171,6 +174,8 @@ class FleetCommandTest {
         Path latin = Files.write(directory.resolve("latin.xml"), new byte[] {'<', (byte) 0xe9});
         mistake("is not text in UTF-8", with(cluster, "fleet", "publish", "x", latin.toString()));
         mistake("'no version'", with(cluster, "fleet", "publish", "no version", lamp));
+        mistake("there is no state wiat", with(cluster, "fleet", "publish", "x", lamp, "--timer", "wiat:timeout:1"));
+        mistake("raises timeuot, an event", with(cluster, "fleet", "publish", "x", lamp, "--timer", "wait:timeuot:1"));
         mistake("write STATE:EVENT:MS", with(cluster, "fleet", "publish", "x", lamp, "--timer", "wait"));
         mistake("nothing", with(cluster, "fleet", "publish", "x", lamp, "--new", "nothing"));
         mistake("101.0 %", with(cluster, "fleet", "rollout", "r", "--from", "a", "--to", "b", "--percent", "101"));
