@@ -13,6 +13,7 @@ import org.evoloop.fleet.device.DeviceState;
 import org.evoloop.fleet.device.DeviceStateBytes;
 import org.evoloop.fleet.device.Past;
 import org.evoloop.fleet.wire.Refusal;
+import org.evoloop.fleet.wire.Wire;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -89,8 +90,9 @@ final class Devices {
         }
     }
 
+    /** @throws Refusal if the state is too large to be stored, such as one with many large events that wait */
     void put(String id, DeviceState state) {
-        store.put(id, DeviceStateBytes.write(state));
+        store.put(id, Wire.requireSendable(DeviceStateBytes.write(state), "the device's stored state"));
         recent.put(id, state);
     }
 
