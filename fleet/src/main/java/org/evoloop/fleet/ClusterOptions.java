@@ -1,12 +1,15 @@
 package org.evoloop.fleet;
 
 import java.io.IOException;
+import java.nio.charset.MalformedInputException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.TreeMap;
 import java.util.concurrent.ExecutionException;
 import org.apache.kafka.clients.consumer.ConsumerConfig;
 import org.apache.kafka.clients.consumer.ConsumerRecord;
@@ -58,12 +61,16 @@ final class ClusterOptions {
         return fleet;
     }
 
-    /** @throws FleetException if there is no such file */
-    static String text(Path file) throws IOException {
+    /** @throws FleetException if there is no such file, or it is not text */
+    static String text(Path file) {
         try {
             return Files.readString(file);
         } catch (NoSuchFileException e) {
             throw new FleetException("there is no file " + file);
+        } catch (MalformedInputException e) {
+            throw new FleetException(file + " is not text in UTF-8");
+        } catch (IOException e) {
+            throw new FleetException(file + " cannot be read: " + e.getMessage());
         }
     }
 
@@ -88,13 +95,29 @@ final class ClusterOptions {
         return ModelRecord.read(version, record);
     }
 
+    /** @throws FleetException if {@code text} is empty: a topic takes no record without a key */
+    static void requireName(String what, String text) {
+        if (text.isBlank()) {
+            throw new FleetException(what + " is empty");
+        }
+    }
+
     /** The record of the models published as {@code version}; null if there are none. */
     byte @Nullable [] models(String version) {
+        return last(Topic.MODELS).get(version);
+    }
+
+    /** The last record of each key in this topic, which has one partition; without the keys deleted since. */
+    Map<String, byte[]> last(Topic topic) {
         check();
-        TopicPartition all = new TopicPartition(Topic.MODELS.of(fleet), 0);
-        byte[] last = null;
+        TopicPartition all = new TopicPartition(topic.of(fleet), 0);
+        Map<String, byte[]> last = new TreeMap<>();
         try (KafkaConsumer<String, byte[]> consumer = new KafkaConsumer<>(
-                Map.of(ConsumerConfig.BOOTSTRAP_SERVERS_CONFIG, bootstrap),
+                Map.of(
+                        ConsumerConfig.BOOTSTRAP_SERVERS_CONFIG,
+                        bootstrap,
+                        ConsumerConfig.ISOLATION_LEVEL_CONFIG,
+                        "read_committed"),
                 new StringDeserializer(),
                 new ByteArrayDeserializer())) {
             consumer.assign(List.of(all));
@@ -102,12 +125,18 @@ final class ClusterOptions {
             long end = consumer.endOffsets(List.of(all)).getOrDefault(all, 0L);
             while (consumer.position(all) < end) {
                 for (ConsumerRecord<String, byte[]> record : consumer.poll(POLL)) {
-                    last = version.equals(record.key()) ? record.value() : last;
+                    // Only a topic that was created without compaction can have a record without a key.
+                    String key = Objects.requireNonNullElse(record.key(), "");
+                    if (record.value() == null) {
+                        last.remove(key);
+                    } else {
+                        last.put(key, record.value());
+                    }
                 }
             }
         } catch (KafkaException e) {
-            throw new FleetException(
-                    "the broker at " + bootstrap + " does not return the published models: " + e.getMessage());
+            throw new FleetException("the broker at " + bootstrap + " does not return the records of " + topic.of(fleet)
+                    + ": " + e.getMessage());
         }
         return last;
     }

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.Callable;
+import org.evoloop.console.TerminationSignals;
 import org.evoloop.fleet.broker.LocalBroker;
 import org.evoloop.fleet.demo.Demo;
 import org.evoloop.fleet.program.Lamp;
@@ -110,6 +111,9 @@ final class FleetCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
+        if (partitions != null && !createTopics) {
+            throw new ParameterException(spec.commandLine(), "--partitions is for --create-topics");
+        }
         if (demo) {
             return demo();
         }
@@ -149,12 +153,17 @@ final class FleetCommand implements Callable<Integer> {
             topics.check();
         }
         try (Fleet fleet = new Fleet(broker, settings)) {
-            Runtime.getRuntime().addShutdownHook(new Thread(fleet::close, "fleet-end"));
-            fleet.start();
-            if (fleet.awaitRunning(START_LIMIT)) {
-                spec.commandLine().getErr().println("evoloop: an instance of the fleet '" + name + "' runs");
+            Runnable end = fleet::close;
+            TerminationSignals signals = new TerminationSignals(signal -> end.run());
+            try {
+                fleet.start();
+                if (fleet.awaitRunning(START_LIMIT)) {
+                    spec.commandLine().getErr().println("evoloop: an instance of the fleet '" + name + "' runs");
+                }
+                fleet.awaitEnd();
+            } finally {
+                signals.restore();
             }
-            fleet.awaitEnd();
         }
         return 0;
     }

@@ -5,10 +5,13 @@ import java.nio.file.Path;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
+import org.evoloop.console.TerminationSignals;
 import org.evoloop.fleet.gateway.Gateway;
+import org.evoloop.fleet.stream.UnreachableException;
 import org.evoloop.mqtt.BrokerAddress;
 import org.evoloop.mqtt.MqttOptions;
 import org.evoloop.mqtt.edge.EdgeDevice;
+import org.evoloop.mqtt.edge.Outbox;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -76,6 +79,7 @@ final class GatewayCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
+        EdgeDevice.requireTopicName("--gateway", name);
         for (String device : devices) {
             EdgeDevice.requireTopicName("the device", device);
         }
@@ -84,19 +88,36 @@ final class GatewayCommand implements Callable<Integer> {
                     + MOST_DEVICES + " at most; start another one for the rest, with another --gateway");
         }
         BrokerAddress broker = MqttOptions.brokerAt(mqtt);
-        cluster.check();
+        check();
         try (Gateway gateway =
                 new Gateway(cluster.bootstrap(), cluster.fleet(), name, broker, devices, directory, how -> {
                     spec.commandLine().getOut().println(how);
                     spec.commandLine().getOut().flush();
                 })) {
-            Runtime.getRuntime().addShutdownHook(new Thread(gateway::close, "gateway-end"));
+            CountDownLatch ended = new CountDownLatch(1);
+            TerminationSignals signals = new TerminationSignals(signal -> ended.countDown());
             gateway.start();
-            new CountDownLatch(1).await();
+            ended.await();
+            // A second signal ends it at once.
+            signals.restore();
         } catch (UncheckedIOException unusable) {
             throw new IllegalArgumentException(
-                    "--journal: " + unusable.getMessage() + "; give a directory that this program may write", unusable);
+                    "--journal: " + unusable.getMessage()
+                            + "; give a directory that this program may write, and no other uses",
+                    unusable);
         }
         return 0;
+    }
+
+    /** A gateway that has run before stores the devices' records until Kafka answers, also after a restart meanwhile. */
+    private void check() {
+        try {
+            cluster.check();
+        } catch (UnreachableException unreachable) {
+            if (!Outbox.isIn(directory)) {
+                throw unreachable;
+            }
+            spec.commandLine().getErr().println("evoloop: " + unreachable.getMessage());
+        }
     }
 }

@@ -1,6 +1,5 @@
 package org.evoloop.fleet;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -70,7 +69,7 @@ final class PublishCommand implements Callable<Integer> {
     private List<String> timers = new ArrayList<>();
 
     @Override
-    public Integer call() throws IOException, InterruptedException {
+    public Integer call() throws InterruptedException {
         byte[] record = new ModelRecord(
                         String.valueOf(file.getFileName()),
                         ClusterOptions.text(file),

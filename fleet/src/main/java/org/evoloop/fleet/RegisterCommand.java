@@ -38,6 +38,7 @@ final class RegisterCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
+        devices.forEach(device -> ClusterOptions.requireName("a device's id", device));
         cluster.requireModels(model);
         Map<String, byte[]> records = new LinkedHashMap<>();
         devices.forEach(device -> records.put(device, Wire.device(model)));

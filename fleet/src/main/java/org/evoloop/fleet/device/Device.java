@@ -53,10 +53,16 @@ public final class Device {
 
     /** A new device of the fleet, at the time {@code atNanos}, in the initial states of its models. */
     public Device(Model model, long patienceNanos, DeviceListener listener, long atNanos) {
+        this(model, Past.NONE, patienceNanos, listener, atNanos);
+    }
+
+    /** A device that comes to the fleet, perhaps not for the first time, in the initial states of its models. */
+    public Device(Model model, Past past, long patienceNanos, DeviceListener listener, long atNanos) {
         this.listener = listener;
         this.patienceNanos = patienceNanos;
         this.model = model.version();
-        this.core = new Core(model.rules(), new CoreOutputs());
+        this.sequence = past.sequence();
+        this.core = new Core(model.rules(), new CoreOutputs(), past.visit());
         core.opened(atNanos);
         this.state = now();
         settle();

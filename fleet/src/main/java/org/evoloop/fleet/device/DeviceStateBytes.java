@@ -3,6 +3,7 @@ package org.evoloop.fleet.device;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.function.Function;
 import org.evoloop.core.Rules;
 import org.evoloop.core.text.SnapshotBytes;
@@ -20,6 +21,9 @@ import org.jspecify.annotations.Nullable;
 public final class DeviceStateBytes {
     /** Differs from the first byte of any text. */
     private static final byte VERSION = 1;
+
+    /** The first byte of what remains of a removed device. */
+    private static final byte REMOVED = 2;
 
     private static final byte FIRST_OF_TEXT = 'e';
     private static final int BITS = 7;
@@ -49,6 +53,37 @@ public final class DeviceStateBytes {
         put(bytes, state.open());
         put(bytes, state.lost());
         return SnapshotBytes.write(bytes.array(), bytes.position(), state.snapshot());
+    }
+
+    /** The bytes of what remains of a removed device. */
+    public static byte[] write(Past past) {
+        ByteBuffer bytes = ByteBuffer.allocate(1 + 2 * NUMBER);
+        bytes.put(REMOVED);
+        put(bytes, past.sequence());
+        put(bytes, past.visit());
+        return Arrays.copyOf(bytes.array(), bytes.position());
+    }
+
+    /** Whether {@code bytes} are those of a removed device. */
+    public static boolean isRemoved(byte[] bytes) {
+        return bytes.length > 0 && bytes[0] == REMOVED;
+    }
+
+    /**
+     * What remains of the removed device with these bytes.
+     *
+     * @throws IllegalArgumentException if they are not such bytes
+     */
+    public static Past past(byte[] bytes) {
+        if (!isRemoved(bytes)) {
+            throw damaged();
+        }
+        ByteBuffer numbers = ByteBuffer.wrap(bytes, 1, bytes.length - 1);
+        try {
+            return new Past(number(numbers), number(numbers));
+        } catch (BufferUnderflowException e) {
+            throw damaged();
+        }
     }
 
     private static void put(ByteBuffer bytes, Order.@Nullable Open order) {

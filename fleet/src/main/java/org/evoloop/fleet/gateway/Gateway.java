@@ -1,9 +1,11 @@
 package org.evoloop.fleet.gateway;
 
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -20,6 +22,7 @@ import org.apache.kafka.clients.producer.ProducerRecord;
 import org.apache.kafka.common.KafkaException;
 import org.apache.kafka.common.PartitionInfo;
 import org.apache.kafka.common.TopicPartition;
+import org.apache.kafka.common.errors.ProducerFencedException;
 import org.apache.kafka.common.serialization.ByteArrayDeserializer;
 import org.apache.kafka.common.serialization.ByteArraySerializer;
 import org.apache.kafka.common.serialization.StringDeserializer;
@@ -91,7 +94,8 @@ public final class Gateway implements AutoCloseable {
         this.name = name;
         this.devices = Set.copyOf(devices);
         this.statusListener = statusListener;
-        this.outbox = new Outbox(directory, 0);
+        // If the directory was lost, the numbers must be higher than those that the fleet has seen.
+        this.outbox = new Outbox(directory, System.currentTimeMillis());
         this.carried = new Carried(directory);
         this.mqtt = new BrokerConnection(mqtt, name);
         for (String device : devices) {
@@ -121,6 +125,10 @@ public final class Gateway implements AutoCloseable {
                 ? "{\"atMillis\":" + System.currentTimeMillis() + ',' + payload.substring(1)
                 : payload;
         long number = number(record, "number");
+        if (number == 0 && topic == Topic.OCCURRENCES && message.kind() == Message.Kind.STATE) {
+            LOG.warn("a retained record on {} is ignored: it comes again with every connection", message.topic());
+            return;
+        }
         if (isEarlierMissing(device, number, record)) {
             LOG.debug("record {} of {} is not stored: it comes again after those before it", number, device);
             return;
@@ -163,18 +171,33 @@ public final class Gateway implements AutoCloseable {
         while (isOpen()) {
             try (KafkaProducer<String, byte[]> producer = producer()) {
                 producer.initTransactions();
-                report("Kafka can be reached; records waiting: " + outbox.size());
                 while (isOpen()) {
+                    report("Kafka can be reached");
                     send(producer, outbox.first(BATCH, POLL.toMillis()));
                 }
             } catch (KafkaException unreachable) {
-                report("Kafka is not reached; the devices' records are stored");
+                report(
+                        isFenced(unreachable)
+                                ? "another gateway has the name '" + name + "'; give each its own with --gateway"
+                                : "Kafka is not reached; the devices' records are stored");
                 LOG.debug("the records remain stored", unreachable);
                 pause();
+            } catch (UncheckedIOException unwritable) {
+                failedToWrite(unwritable);
             } catch (InterruptedException closed) {
                 return;
             }
         }
+    }
+
+    private static boolean isFenced(KafkaException failure) {
+        return failure instanceof ProducerFencedException || failure.getCause() instanceof ProducerFencedException;
+    }
+
+    /** As on a full disk: it is tried again, since there may be room later. */
+    private void failedToWrite(UncheckedIOException unwritable) {
+        LOG.error("the journal cannot be written; it is tried again: {}", unwritable.getMessage());
+        pause();
     }
 
     /** Sends all or none: if only a later record arrived, the earlier one would be taken for a repetition. */
@@ -217,27 +240,70 @@ public final class Gateway implements AutoCloseable {
     private void carryAll() {
         while (isOpen()) {
             try (KafkaConsumer<String, byte[]> consumer = consumer()) {
-                consumer.assign(partitions(consumer));
+                PresentStates present = assign(consumer);
                 while (isOpen()) {
                     for (ConsumerRecord<String, byte[]> record : consumer.poll(POLL)) {
-                        carry(record);
+                        if (devices.contains(record.key())) {
+                            carry(record, present);
+                        }
                     }
+                    present.publishOnceRead(consumer);
                     consumer.commitAsync();
                 }
             } catch (KafkaException unreachable) {
                 LOG.debug("no commands can be fetched", unreachable);
                 pause();
+            } catch (UncheckedIOException unwritable) {
+                // The command is fetched again.
+                failedToWrite(unwritable);
+            } catch (InterruptedException closed) {
+                return;
             }
         }
     }
 
-    private void carry(ConsumerRecord<String, byte[]> record) {
-        if (!devices.contains(record.key())) {
-            return;
+    /** Begins with the first command not fetched yet, and with all states. */
+    private PresentStates assign(KafkaConsumer<String, byte[]> consumer) {
+        List<TopicPartition> states = partitions(consumer, Topic.STATES);
+        List<TopicPartition> all = new ArrayList<>(states);
+        all.addAll(partitions(consumer, Topic.COMMANDS));
+        consumer.assign(all);
+        consumer.seekToBeginning(states);
+        return new PresentStates(consumer.endOffsets(states));
+    }
+
+    /**
+     * The states that were in Kafka before this gateway: the MQTT broker may have lost them, and a device may be new at this
+     * gateway. Only the last of each device is published.
+     */
+    private final class PresentStates {
+        private final Map<TopicPartition, Long> unread;
+        private final Map<String, String> last = new HashMap<>();
+
+        PresentStates(Map<TopicPartition, Long> ends) {
+            unread = new HashMap<>(ends);
         }
+
+        void add(String device, String state) {
+            if (unread.isEmpty()) {
+                mqtt.publish(Message.state(topic(device, "state"), state));
+            } else {
+                last.put(device, state);
+            }
+        }
+
+        void publishOnceRead(KafkaConsumer<String, byte[]> consumer) {
+            unread.entrySet().removeIf(each -> consumer.position(each.getKey()) >= each.getValue());
+            if (unread.isEmpty()) {
+                last.forEach(this::add);
+                last.clear();
+            }
+        }
+    }
+
+    private void carry(ConsumerRecord<String, byte[]> record, PresentStates present) throws InterruptedException {
         if (record.topic().equals(Topic.STATES.of(fleet))) {
-            mqtt.publish(Message.state(
-                    topic(record.key(), "state"), record.value() == null ? "" : Wire.text(record.value())));
+            present.add(record.key(), record.value() == null ? "" : Wire.text(record.value()));
             return;
         }
         try {
@@ -250,7 +316,8 @@ public final class Gateway implements AutoCloseable {
         }
     }
 
-    private void carry(String device, Order order, String text) {
+    private void carry(String device, Order order, String text) throws InterruptedException {
+        mqtt.awaitRoom();
         long now = System.currentTimeMillis();
         if (Wire.millis(order.deadlineNanos()) < now) {
             failed(device, order, "the command arrived after its deadline", now);
@@ -285,12 +352,10 @@ public final class Gateway implements AutoCloseable {
                 new ByteArrayDeserializer());
     }
 
-    private List<TopicPartition> partitions(KafkaConsumer<String, byte[]> consumer) {
+    private List<TopicPartition> partitions(KafkaConsumer<String, byte[]> consumer, Topic topic) {
         List<TopicPartition> all = new ArrayList<>();
-        for (Topic topic : List.of(Topic.COMMANDS, Topic.STATES)) {
-            for (PartitionInfo each : consumer.partitionsFor(topic.of(fleet))) {
-                all.add(new TopicPartition(each.topic(), each.partition()));
-            }
+        for (PartitionInfo each : consumer.partitionsFor(topic.of(fleet))) {
+            all.add(new TopicPartition(each.topic(), each.partition()));
         }
         return all;
     }
@@ -307,10 +372,12 @@ public final class Gateway implements AutoCloseable {
         return mqtt.isUp();
     }
 
-    private synchronized void report(String status) {
+    private synchronized void report(String ofKafka) {
+        String devices = mqtt.isUp() ? "the devices' broker can be reached" : mqtt.describe();
+        String status = ofKafka + "; " + devices;
         if (!status.equals(reported)) {
             reported = status;
-            statusListener.accept(status + "; MQTT: " + mqtt.describe());
+            statusListener.accept(ofKafka + "; records waiting: " + outbox.size() + "; MQTT: " + devices);
         }
     }
 

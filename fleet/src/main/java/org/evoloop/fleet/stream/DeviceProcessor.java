@@ -34,6 +34,8 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
     /** The most devices handled in one go, so that records need not wait for all of them. */
     private static final int SLICE = 2_000;
 
+    private static final int LONGEST_ID = 1_000;
+
     private final FleetSettings settings;
     private final Map<String, Topic> topics;
     private final long patienceNanos;
@@ -89,6 +91,10 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
         try {
             if (record.key() == null || record.key().isEmpty()) {
                 throw new Refusal(Refusal.Reason.MALFORMED, "it has no key; the key is the device's id");
+            } else if (record.key().length() > LONGEST_ID) {
+                throw new Refusal(
+                        Refusal.Reason.MALFORMED,
+                        "its key has " + record.key().length() + " characters, allowed are " + LONGEST_ID);
             }
             take(topics.get(from.topic()), record);
         } catch (Refusal refusal) {
@@ -104,7 +110,8 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
         letters.add(
                 Topic.DEAD_LETTERS,
                 Wire.deadLetter(refusal, from.topic(), from.partition(), from.offset(), record.value()));
-        send(record.key(), record.timestamp());
+        String key = record.key();
+        send(key == null ? null : Wire.cut(key, LONGEST_ID), record.timestamp());
     }
 
     private void take(@Nullable Topic topic, Record<String, byte[]> record) {
@@ -150,7 +157,8 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
         if (known == null) {
             Model model = library.model(version);
             letters.begin(version, null);
-            Device device = new Device(model, patienceNanos, letters, clock.atMost(record.timestamp()));
+            Device device =
+                    new Device(model, devices.past(id), patienceNanos, letters, clock.atMost(record.timestamp()));
             store(id, null, device, record.timestamp());
         } else if (!known.model().equals(version)) {
             throw new Refusal(
@@ -176,6 +184,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
 
     private void store(String id, @Nullable DeviceState before, Device device, long timestamp) {
         evolve(id, device, timestamp);
+        letters.all().forEach(letter -> Wire.requireSendable(letter.text(), "a record in " + letter.topic()));
         DeviceState state = device.state();
         if (!state.equals(before)) {
             devices.put(id, state);
@@ -193,7 +202,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
         }
     }
 
-    private void send(String id, long timestamp) {
+    private void send(@Nullable String id, long timestamp) {
         for (Letters.Letter letter : letters.all()) {
             context.forward(
                     new Record<>(id, letter.text(), timestamp), letter.topic().name());

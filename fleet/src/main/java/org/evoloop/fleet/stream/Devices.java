@@ -11,7 +11,9 @@ import org.evoloop.core.text.SnapshotException;
 import org.evoloop.fleet.device.Device;
 import org.evoloop.fleet.device.DeviceState;
 import org.evoloop.fleet.device.DeviceStateBytes;
+import org.evoloop.fleet.device.Past;
 import org.evoloop.fleet.wire.Refusal;
+import org.evoloop.fleet.wire.Wire;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -62,7 +64,7 @@ final class Devices {
     }
 
     /**
-     * The state of {@code id}; null if it was not registered.
+     * The state of {@code id}; null if it was not registered, or was removed.
      *
      * @throws Refusal if the state does not fit the device's models, or these no longer exist
      */
@@ -71,7 +73,7 @@ final class Devices {
         DeviceState state = recent.get(id);
         if (state == null) {
             byte[] bytes = store.get(id);
-            if (bytes == null) {
+            if (bytes == null || DeviceStateBytes.isRemoved(bytes)) {
                 return null;
             }
             state = read(bytes);
@@ -88,14 +90,29 @@ final class Devices {
         }
     }
 
+    /** @throws Refusal if the state is too large to be stored, such as one with many large events that wait */
     void put(String id, DeviceState state) {
-        store.put(id, DeviceStateBytes.write(state));
+        store.put(id, Wire.requireSendable(DeviceStateBytes.write(state), "the device's stored state"));
         recent.put(id, state);
     }
 
+    /** Removes a device; only its {@linkplain #past numbers} remain. */
     void remove(String id) {
-        store.delete(id);
+        try {
+            DeviceState state = get(id);
+            if (state != null) {
+                store.put(id, DeviceStateBytes.write(Past.of(state)));
+            }
+        } catch (Refusal unusable) {
+            store.delete(id);
+        }
         recent.put(id, null);
+    }
+
+    /** What remains of {@code id}, which has no state. */
+    Past past(String id) {
+        byte[] bytes = store.get(id);
+        return bytes == null ? Past.NONE : DeviceStateBytes.past(bytes);
     }
 
     /** Passes each device's id, and when something is due there, to {@code consumer}. */
@@ -103,6 +120,9 @@ final class Devices {
         try (KeyValueIterator<String, byte[]> each = store.all()) {
             while (each.hasNext()) {
                 KeyValue<String, byte[]> next = each.next();
+                if (DeviceStateBytes.isRemoved(next.value)) {
+                    continue;
+                }
                 try {
                     DeviceState state = read(next.value);
                     Rules rules = library.model(state.model()).rules();
@@ -139,7 +159,7 @@ final class Devices {
         return looked < most || last == null ? null : last + '\0';
     }
 
-    /** Empty if the bytes cannot be read; the next record for the device reports the error. */
+    /** Empty if the device was removed, or the bytes cannot be read; the next record for the device reports the error. */
     private static String version(byte[] bytes) {
         try {
             return DeviceStateBytes.model(bytes);

@@ -6,6 +6,8 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.apache.kafka.clients.consumer.ConsumerConfig;
 import org.apache.kafka.clients.producer.ProducerConfig;
+import org.apache.kafka.common.KafkaException;
+import org.apache.kafka.common.errors.InvalidSessionTimeoutException;
 import org.apache.kafka.streams.CloseOptions;
 import org.apache.kafka.streams.KafkaStreams;
 import org.apache.kafka.streams.StreamsConfig;
@@ -37,7 +39,11 @@ public final class Fleet implements AutoCloseable {
     private final CountDownLatch ended = new CountDownLatch(1);
     private volatile @Nullable Throwable failure;
 
-    /** An instance that is not started yet. */
+    /**
+     * An instance that is not started yet.
+     *
+     * @throws FleetException if Kafka refuses the settings, or the state directory cannot be used
+     */
     public Fleet(String bootstrap, FleetSettings settings) {
         this(bootstrap, settings, FleetTopology.of(settings));
     }
@@ -45,7 +51,7 @@ public final class Fleet implements AutoCloseable {
     /** An instance with another topology, for example for comparison. */
     public Fleet(String bootstrap, FleetSettings settings, Topology topology) {
         name = settings.fleet();
-        streams = new KafkaStreams(topology, properties(bootstrap, settings));
+        streams = streams(topology, bootstrap, settings);
         streams.setStateListener((now, before) -> {
             if (now == KafkaStreams.State.RUNNING) {
                 running.countDown();
@@ -55,15 +61,36 @@ public final class Fleet implements AutoCloseable {
             }
         });
         streams.setUncaughtExceptionHandler(cause -> {
-            LOG.error("a thread of the fleet has failed", cause);
-            boolean hopeless = cause instanceof MissingSourceTopicException
-                    || cause.getCause() instanceof MissingSourceTopicException;
-            if (hopeless) {
+            if (isHopeless(cause) || isHopeless(cause.getCause())) {
                 failure = cause;
                 return StreamThreadExceptionResponse.SHUTDOWN_CLIENT;
             }
+            LOG.error("a thread of the fleet has failed", cause);
             return StreamThreadExceptionResponse.REPLACE_THREAD;
         });
+    }
+
+    private static KafkaStreams streams(Topology topology, String bootstrap, FleetSettings settings) {
+        try {
+            return new KafkaStreams(topology, properties(bootstrap, settings));
+        } catch (KafkaException e) {
+            throw new FleetException("the instance cannot start with the state directory " + settings.stateDirectory()
+                    + ": " + root(e).getMessage()
+                    + "; each instance on a computer needs its own, given with --state-dir");
+        }
+    }
+
+    private static Throwable root(Throwable failure) {
+        Throwable cause = failure;
+        while (cause.getCause() != null) {
+            cause = cause.getCause();
+        }
+        return cause;
+    }
+
+    /** Whether a new thread would fail in the same way. */
+    private static boolean isHopeless(@Nullable Throwable cause) {
+        return cause instanceof MissingSourceTopicException || cause instanceof InvalidSessionTimeoutException;
     }
 
     private static Properties properties(String bootstrap, FleetSettings settings) {
@@ -115,7 +142,7 @@ public final class Fleet implements AutoCloseable {
         ended.await();
         Throwable cause = failure;
         if (cause != null) {
-            throw new FleetException("the fleet has ended: " + cause.getMessage());
+            throw new FleetException("the fleet has ended: " + root(cause).getMessage());
         }
     }
 

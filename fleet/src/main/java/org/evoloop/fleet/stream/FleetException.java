@@ -5,7 +5,9 @@ package org.evoloop.fleet.stream;
  *
  * @since 0.1
  */
-public final class FleetException extends RuntimeException {
+public class FleetException extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
     /** @param message the problem, and how to fix it */
     public FleetException(String message) {
         super(message);

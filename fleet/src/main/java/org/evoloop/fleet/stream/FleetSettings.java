@@ -12,6 +12,11 @@ import java.util.Objects;
  * @since 0.1
  */
 public final class FleetSettings {
+    /** In between, an instance tells the others three times that it lives. */
+    private static final Duration LEAST_SESSION = Duration.ofMillis(100);
+
+    private static final Duration LONGEST_SESSION = Duration.ofHours(1);
+
     private String fleet = "evoloop";
     private Path stateDirectory = Path.of(System.getProperty("java.io.tmpdir"), "evoloop-fleet");
     private Duration patience = Duration.ofSeconds(30);
@@ -90,8 +95,12 @@ public final class FleetSettings {
 
     /** A copy in which an instance that is silent for this long counts as failed, and others take its devices. */
     public FleetSettings withSession(Duration timeout) {
+        if (timeout.compareTo(LEAST_SESSION) < 0 || timeout.compareTo(LONGEST_SESSION) > 0) {
+            throw new IllegalArgumentException("the session timeout is " + timeout.toMillis() + " ms, allowed is "
+                    + LEAST_SESSION.toMillis() + " to " + LONGEST_SESSION.toMillis());
+        }
         FleetSettings next = new FleetSettings(this);
-        next.session = atLeastMillis(timeout, "session timeout");
+        next.session = timeout;
         return next;
     }
 

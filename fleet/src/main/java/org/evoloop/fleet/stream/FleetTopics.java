@@ -87,6 +87,7 @@ public final class FleetTopics implements AutoCloseable {
     /**
      * Checks that all topics exist and fit together; returns the number of partitions of the devices.
      *
+     * @throws UnreachableException if no broker answers
      * @throws FleetException naming all topics that are missing or do not fit
      */
     public int check() {
@@ -146,9 +147,9 @@ public final class FleetTopics implements AutoCloseable {
         }
     }
 
-    private FleetException unreachable(Exception failure) {
+    private UnreachableException unreachable(Exception failure) {
         Throwable cause = failure.getCause() == null ? failure : failure.getCause();
-        return new FleetException("the Kafka broker at " + bootstrap + " does not answer properly: "
+        return new UnreachableException("the Kafka broker at " + bootstrap + " does not answer properly: "
                 + cause.getMessage() + ". Is it running, and is --bootstrap its address?");
     }
 

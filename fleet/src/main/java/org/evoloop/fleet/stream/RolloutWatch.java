@@ -1,17 +1,23 @@
 package org.evoloop.fleet.stream;
 
 import java.nio.ByteBuffer;
+import java.time.Duration;
+import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashSet;
+import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
-import java.util.Set;
+import java.util.Map;
+import org.apache.kafka.streams.processor.PunctuationType;
 import org.apache.kafka.streams.processor.api.Processor;
 import org.apache.kafka.streams.processor.api.ProcessorContext;
 import org.apache.kafka.streams.processor.api.Record;
+import org.apache.kafka.streams.state.KeyValueIterator;
 import org.apache.kafka.streams.state.KeyValueStore;
 import org.evoloop.fleet.wire.Refusal;
 import org.evoloop.fleet.wire.Rollout;
 import org.evoloop.fleet.wire.Topic;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -21,8 +27,10 @@ final class RolloutWatch implements Processor<String, byte[], String, byte[]> {
 
     private static final Logger LOG = LoggerFactory.getLogger(RolloutWatch.class);
 
-    /** The rollouts stopped already, although the global copy may not show it yet. */
-    private final Set<String> stopped = new HashSet<>();
+    private static final Duration LOOK = Duration.ofMillis(500);
+
+    /** The records of the rollouts stopped already, although the global copy may not show it yet. */
+    private final Map<String, byte[]> stopped = new HashMap<>();
 
     private ProcessorContext<String, byte[]> context;
     private KeyValueStore<String, byte[]> tallies;
@@ -41,6 +49,42 @@ final class RolloutWatch implements Processor<String, byte[], String, byte[]> {
         stopped.clear();
         tallies = given.getStateStore(STORE);
         rollouts = given.getStateStore(DeviceProcessor.ROLLOUTS);
+        given.schedule(LOOK, PunctuationType.WALL_CLOCK_TIME, now -> forget());
+    }
+
+    /** What was counted for steps that are over must not count if the same step is taken again. */
+    private void forget() {
+        stopped.entrySet().removeIf(each -> !Arrays.equals(each.getValue(), rollouts.get(each.getKey())));
+        List<String> over = new ArrayList<>();
+        try (KeyValueIterator<String, byte[]> each = tallies.all()) {
+            while (each.hasNext()) {
+                String key = each.next().key;
+                String name = key.substring(0, key.lastIndexOf(' '));
+                Rollout rollout = rolling(name);
+                if (rollout == null || !key.equals(key(name, rollouts.get(name)))) {
+                    over.add(key);
+                }
+            }
+        }
+        over.forEach(tallies::delete);
+    }
+
+    /** The rollout of this name; null if there is none that is rolling. */
+    private @Nullable Rollout rolling(String name) {
+        byte[] published = rollouts.get(name);
+        try {
+            Rollout rollout = published == null ? null : Rollout.read(name, published);
+            return rollout == null || !rollout.isRolling() || Arrays.equals(stopped.get(name), published)
+                    ? null
+                    : rollout;
+        } catch (Refusal unusable) {
+            return null;
+        }
+    }
+
+    /** Each step of a rollout, such as a larger share, is counted separately. */
+    private static String key(String name, byte[] published) {
+        return name + ' ' + Arrays.hashCode(published);
     }
 
     @Override
@@ -50,18 +94,12 @@ final class RolloutWatch implements Processor<String, byte[], String, byte[]> {
             LOG.error("a record of {} is ignored: this program did not write it", Topic.VERDICTS);
             return;
         }
+        Rollout rollout = rolling(record.key());
+        if (rollout == null) {
+            return;
+        }
         byte[] published = rollouts.get(record.key());
-        if (published == null) {
-            return;
-        }
-        Rollout rollout;
-        try {
-            rollout = Rollout.read(record.key(), published);
-        } catch (Refusal unusable) {
-            return;
-        }
-        // Each step of a rollout, such as a larger share, is counted separately.
-        String key = record.key() + ' ' + Arrays.hashCode(published);
+        String key = key(record.key(), published);
         byte[] before = tallies.get(key);
         ByteBuffer was = ByteBuffer.wrap(before == null ? verdict(0, 0) : before);
         ByteBuffer more = ByteBuffer.wrap(record.value());
@@ -69,10 +107,7 @@ final class RolloutWatch implements Processor<String, byte[], String, byte[]> {
         long bad = was.getLong() + more.getLong();
         tallies.put(key, verdict(good, bad));
         long all = good + bad;
-        if (rollout.isRolling()
-                && all >= rollout.stopAfter()
-                && bad * 100.0 / all > rollout.stopPercent()
-                && stopped.add(key)) {
+        if (all >= rollout.stopAfter() && bad * 100.0 / all > rollout.stopPercent()) {
             String why = String.format(
                     Locale.ROOT,
                     "%d of %d were failures or divergences, more than %.1f %%",
@@ -80,8 +115,9 @@ final class RolloutWatch implements Processor<String, byte[], String, byte[]> {
                     all,
                     rollout.stopPercent());
             LOG.warn("the rollout {} is stopped and rolled back: {}", rollout.name(), why);
-            byte[] stopped = rollout.stoppedBecause(why).bytes();
-            context.forward(new Record<>(record.key(), stopped, record.timestamp()), Topic.ROLLOUTS.name());
+            stopped.put(record.key(), published);
+            byte[] next = rollout.stoppedBecause(why).bytes();
+            context.forward(new Record<>(record.key(), next, record.timestamp()), Topic.ROLLOUTS.name());
         }
     }
 }

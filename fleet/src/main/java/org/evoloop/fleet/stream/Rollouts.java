@@ -88,8 +88,7 @@ final class Rollouts {
     /** The switch due at {@code device}, which has the models {@code version}; null if there is none. */
     Model.@Nullable Takeover of(String device, String version) {
         for (Rollout rollout : all.values()) {
-            String leaves = rollout.isRolling() ? rollout.from() : rollout.to();
-            if (leaves.equals(version) && rollout.takesIn(device)) {
+            if (rollout.leaves().equals(version) && rollout.takesIn(device)) {
                 return takeover(rollout);
             }
         }

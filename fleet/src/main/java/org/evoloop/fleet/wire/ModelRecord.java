@@ -102,6 +102,7 @@ public record ModelRecord(
         if (!table.problems().isEmpty()) {
             throw new ModelException(table.problems().get(0).toString());
         }
+        timers.forEach(timer -> requireKnown(pair.evolved(), timer));
         Map<State, Map<Event, Duration>> byState = new HashMap<>();
         for (State state : pair.evolved().states()) {
             Map<Event, Duration> own = timers(pair.evolved(), state);
@@ -109,6 +110,17 @@ public record ModelRecord(
             byState.put(state, own);
         }
         return new Rules(table, state -> byState.getOrDefault(state, Map.of()), queueCapacity);
+    }
+
+    /** A mistyped timer would never fire, and nobody would notice. */
+    private static void requireKnown(StateMachine machine, Timer timer) {
+        if (machine.states().stream()
+                .noneMatch(state -> machine.withoutMemory(state).name().equals(timer.state))) {
+            throw new ModelException("there is no state " + timer.state + " for the timer " + timer.event);
+        } else if (!machine.triggers().contains(new Event(timer.event))) {
+            throw new ModelException("the timer of the state " + timer.state + " raises " + timer.event
+                    + ", an event that " + machine.name() + " does not know");
+        }
     }
 
     private static void requireInRange(State state, Event event, Duration time) {

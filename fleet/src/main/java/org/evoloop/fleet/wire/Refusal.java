@@ -16,6 +16,8 @@ public final class Refusal extends RuntimeException {
         MALFORMED,
         /** It has a newer schema than this program supports. */
         NEWER_SCHEMA,
+        /** What follows from it is larger than a record can be. */
+        TOO_LARGE,
         /** No device of this id was registered. */
         UNKNOWN_DEVICE,
         /** A device of this id has other models; a rollout changes them. */

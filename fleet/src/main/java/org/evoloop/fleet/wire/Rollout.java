@@ -86,6 +86,16 @@ public record Rollout(
         return stopped.isEmpty();
     }
 
+    /** The version that its devices leave now. */
+    public String leaves() {
+        return isRolling() ? from : to;
+    }
+
+    /** The version that its devices get now. */
+    public String reaches() {
+        return isRolling() ? to : from;
+    }
+
     /** Whether it includes {@code device}, decided by the device's id, so that each share contains the smaller ones. */
     public boolean takesIn(String device) {
         CRC32 sum = new CRC32();

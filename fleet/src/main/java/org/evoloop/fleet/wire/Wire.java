@@ -1,6 +1,7 @@
 package org.evoloop.fleet.wire;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.Base64;
 import java.util.Locale;
 import java.util.Map;
@@ -39,6 +40,12 @@ public final class Wire {
                     .toArray(String[]::new);
         }
     };
+
+    /** Leaves room for the key within the megabyte that brokers and producers take by default. */
+    private static final int LARGEST = 1_000_000;
+
+    private static final int MOST_RECORD = 500_000;
+    private static final int MOST_DETAIL = 1_000;
 
     private Wire() {}
 
@@ -181,17 +188,42 @@ public final class Wire {
                 : json.with("inDoubt", snapshot.doubt().why()).bytes();
     }
 
-    /** For {@link Topic#DEAD_LETTERS}. */
+    /** For {@link Topic#DEAD_LETTERS}; a large record is cut, so that the letter can be sent. */
     public static byte[] deadLetter(
             Refusal refusal, String topic, int partition, long offset, byte @Nullable [] record) {
         return new Json()
                 .with("reason", word(refusal.reason()))
-                .with("detail", refusal.detail())
+                .with("detail", cut(refusal.detail(), MOST_DETAIL))
                 .with("topic", topic)
                 .with("partition", partition)
                 .with("offset", offset)
-                .with("record", Base64.getEncoder().encodeToString(record == null ? new byte[0] : record))
+                .with("record", encoded(record == null ? new byte[0] : record))
                 .bytes();
+    }
+
+    private static String encoded(byte[] record) {
+        return Base64.getEncoder()
+                .encodeToString(record.length > MOST_RECORD ? Arrays.copyOf(record, MOST_RECORD) : record);
+    }
+
+    /** The first {@code most} characters of {@code text}. */
+    public static String cut(String text, int most) {
+        return text.length() > most ? text.substring(0, most) : text;
+    }
+
+    /**
+     * Returns {@code record} unless it is larger than brokers take by default: an instance could not go on with the records
+     * that come after it.
+     *
+     * @param what what the record is, for people
+     * @throws Refusal if it is larger
+     */
+    public static byte[] requireSendable(byte[] record, String what) {
+        if (record.length > LARGEST) {
+            throw new Refusal(
+                    Refusal.Reason.TOO_LARGE, what + " would have " + record.length + " bytes, allowed are " + LARGEST);
+        }
+        return record;
     }
 
     /** How a constant is called in records. */

@@ -2,6 +2,8 @@ package org.evoloop.fleet.gateway;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -114,14 +116,124 @@ class GatewayTest {
         }
     }
 
+    /** Otherwise the fleet would take its records for repetitions. */
+    @Test
+    void aGatewayThatLostItsJournalIsHeard() throws Exception {
+        String name = Brokers.freshFleet();
+        FleetSettings settings = FleetSettings.defaults().withFleet(name).withStateDirectory(directory.resolve("s"));
+        try (Mosquitto mosquitto = new Mosquitto(directory).start();
+                BrokerConnection lamp = lamp(mosquitto);
+                Cluster cluster = new Cluster(Brokers.shared(), name, 1)) {
+            cluster.write(Topic.MODELS, "lamp-1", Models.LAMP.bytes());
+            cluster.flush();
+            try (Fleet fleet = new Fleet(Brokers.shared(), settings)) {
+                fleet.start();
+                assertThat(fleet.awaitRunning(LIMIT)).isTrue();
+                cluster.write(Topic.DEVICES, "lamp", Wire.device("lamp-1"));
+                cluster.readUntil(all -> !all.of(Topic.STATES, "lamp").isEmpty());
+                for (int life = 1; life <= 2; life++) {
+                    int presses = life;
+                    try (Gateway gateway = gateway(name, mosquitto, Set.of("lamp"), "journal " + life)) {
+                        gateway.start();
+                        Awaitility.await().atMost(LIMIT).until(gateway::reachesDevices);
+                        press(lamp);
+                        cluster.readUntil(all -> all.of(Topic.DECISIONS, "lamp").size() == presses);
+                    }
+                }
+            }
+        }
+    }
+
+    /** The state is retained at the broker, so a device that connects later gets it, too. */
+    @Test
+    void aDeviceThatIsNewAtTheGatewayGetsItsState() throws Exception {
+        String name = Brokers.freshFleet();
+        List<String> states = new CopyOnWriteArrayList<>();
+        try (Mosquitto mosquitto = new Mosquitto(directory).start();
+                BrokerConnection watcher = new BrokerConnection(BrokerAddress.parse(mosquitto.url()), "watcher");
+                Cluster cluster = new Cluster(Brokers.shared(), name, 1)) {
+            watcher.subscribe("evoloop/hall/state", message -> states.add(message.payload()));
+            watcher.subscribe("evoloop/lamp/state", message -> states.add(message.payload()));
+            watcher.open();
+            Awaitility.await().atMost(LIMIT).until(watcher::isUp);
+            state(cluster, "lamp", "former");
+            state(cluster, "lamp", "1");
+            state(cluster, "hall", "2");
+            try (Gateway gateway = gateway(name, mosquitto, Set.of("hall"), "journal")) {
+                gateway.start();
+                Awaitility.await().atMost(LIMIT).until(() -> states.contains("2"));
+                // What was read before the next record is committed when this one is there.
+                state(cluster, "hall", "3");
+                Awaitility.await().atMost(LIMIT).until(() -> states.contains("3"));
+                mosquitto.stop();
+                Awaitility.await().atMost(LIMIT).until(() -> last(statuses).contains(mosquitto.url() + " "));
+                mosquitto.start();
+                Awaitility.await()
+                        .atMost(LIMIT)
+                        .until(() -> last(statuses).contains("MQTT: the devices' broker can be reached"));
+                assertThat(statuses).allMatch(status -> status.contains("Kafka can be reached"));
+            }
+            states.clear();
+            try (Gateway gateway = gateway(name, mosquitto, Set.of("hall", "lamp"), "journal")) {
+                gateway.start();
+                Awaitility.await().atMost(LIMIT).until(() -> states.contains("1"));
+            }
+            assertThat(states).doesNotContain("former");
+        }
+    }
+
+    /** It comes again whenever the gateway connects. */
+    @Test
+    void aRetainedRecordWithoutANumberIsIgnored() throws Exception {
+        List<String> kept = new CopyOnWriteArrayList<>();
+        try (Mosquitto mosquitto = new Mosquitto(directory).start();
+                BrokerConnection device = new BrokerConnection(BrokerAddress.parse(mosquitto.url()), "device");
+                // It does not reach Kafka, so what it stores is counted.
+                Gateway gateway = gateway("localhost:1", FLEET, mosquitto, Set.of("a", "b"), "journal")) {
+            device.subscribe("evoloop/b/kept", message -> kept.add(message.payload()));
+            device.open();
+            device.publish(Message.state("evoloop/a/occurrence", "{\"event\":\"switch\"}"));
+            device.publish(Message.state("evoloop/b/occurrence", "{\"event\":\"switch\",\"number\":7}"));
+            device.publish(Message.state("evoloop/b/end", "there"));
+            try (BrokerConnection later = new BrokerConnection(BrokerAddress.parse(mosquitto.url()), "later")) {
+                List<String> ends = new CopyOnWriteArrayList<>();
+                later.subscribe("evoloop/b/end", message -> ends.add(message.payload()));
+                later.open();
+                Awaitility.await().atMost(LIMIT).until(() -> !ends.isEmpty());
+            }
+            gateway.start();
+            // From then on it has got what was retained.
+            Awaitility.await().atMost(LIMIT).until(() -> gateway.reachesDevices() && device.isUp());
+            device.publish(Message.event("evoloop/b/occurrence", "{\"event\":\"switch\",\"number\":8}"));
+            Awaitility.await().atMost(LIMIT).until(() -> kept.contains(kept(8)));
+            assertThat(gateway.waiting()).isEqualTo(2);
+        }
+    }
+
+    private static void state(Cluster cluster, String device, String state) {
+        cluster.write(Topic.STATES, device, state.getBytes(StandardCharsets.UTF_8));
+        cluster.flush();
+    }
+
+    private static String last(List<String> texts) {
+        return texts.isEmpty() ? "" : texts.get(texts.size() - 1);
+    }
+
     private static String kept(int number) {
         return "{\"schema\":1,\"number\":" + number + "}";
     }
 
     private Gateway gateway(String bootstrap, Mosquitto mosquitto) {
-        BrokerAddress address = BrokerAddress.parse("mqtt://127.0.0.1:" + mosquitto.port());
-        return new Gateway(
-                bootstrap, FLEET, "house", address, Set.of("lamp"), directory.resolve("journal"), statuses::add);
+        return gateway(bootstrap, FLEET, mosquitto, Set.of("lamp"), "journal");
+    }
+
+    private Gateway gateway(String fleet, Mosquitto mosquitto, Set<String> devices, String journal) throws IOException {
+        return gateway(Brokers.shared(), fleet, mosquitto, devices, journal);
+    }
+
+    private Gateway gateway(String bootstrap, String fleet, Mosquitto mosquitto, Set<String> devices, String journal) {
+        BrokerAddress address = BrokerAddress.parse(mosquitto.url());
+        return new Gateway(bootstrap, fleet, "house", address, devices, directory.resolve(journal), statuses::add);
     }
 
     /** Carries out each command, and reports it. */

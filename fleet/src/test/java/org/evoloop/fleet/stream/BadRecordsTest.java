@@ -42,6 +42,13 @@ class BadRecordsTest {
             bad(fleet, "good", Topic.OCCURRENCES, large, "malformed", "the number 'level' is too large; send one");
             bad(fleet, "good", Topic.EFFECTS, "{\"schema\":1,\"sequence\":\"x\"}", "malformed", "'sequence' must be");
             bad(fleet, "good", Topic.DEVICES, "{\"schema\":1,\"model\":\"other\"}", "registered-already", "a rollout");
+            // What is sent and stored because of such a record would be larger than the broker takes.
+            String rest = "z".repeat(1_040_000);
+            bad(fleet, "good", Topic.OCCURRENCES, "{\"schema\":1," + rest, "malformed", "a name was expected");
+            String kind = Wire.text(RunningFleet.press(now)).replace("heard", rest);
+            bad(fleet, "good", Topic.OCCURRENCES, kind, "malformed", "'zzz");
+            String event = Wire.text(RunningFleet.press(now)).replace("switch", rest);
+            bad(fleet, "good", Topic.OCCURRENCES, event, "too-large", "a record in DECISIONS would have 1040");
             fleet.press("good");
             fleet.answer("good", 1, Answer.Outcome.SENT);
             fleet.cluster.readUntil(
@@ -49,6 +56,41 @@ class BadRecordsTest {
             assertThat(fleet.cluster.records().of(Topic.DECISIONS, "good").get(0))
                     .contains("\"outcome\":\"handled\"");
         }
+    }
+
+    /** Its executor skips commands with the numbers of earlier ones, and its edge visits. */
+    @Test
+    void aDeviceThatIsRegisteredAgainContinuesItsNumbers() throws Exception {
+        try (RunningFleet fleet = new RunningFleet(directory)) {
+            fleet.publish("lamp-1", Models.LAMP.bytes());
+            fleet.register("lamp", "lamp-1");
+            fleet.press("lamp");
+            fleet.answer("lamp", 1, Answer.Outcome.SENT);
+            fleet.cluster.readUntil(
+                    records -> records.of(Topic.DECISIONS, "lamp").size() == 1);
+            fleet.cluster.write(Topic.DEVICES, "lamp", null);
+            awaitStates(fleet, 3);
+            String press = Wire.text(RunningFleet.press(RunningFleet.nowNanos()));
+            bad(fleet, "lamp", Topic.OCCURRENCES, press, "unknown-device", "no device lamp");
+            fleet.cluster.write(Topic.DEVICES, "lamp", Wire.device("lamp-1"));
+            awaitStates(fleet, 4);
+            fleet.press("lamp");
+            fleet.answer("lamp", 2, Answer.Outcome.SENT);
+            fleet.cluster.readUntil(
+                    records -> records.of(Topic.DECISIONS, "lamp").size() == 2);
+            assertThat(fleet.cluster.records().of(Topic.COMMANDS, "lamp").get(1))
+                    .contains("\"sequence\":2,");
+            List<String> states = fleet.cluster.records().of(Topic.STATES, "lamp");
+            assertThat(states.subList(2, 5))
+                    .satisfiesExactly(
+                            removed -> assertThat(removed).isEqualTo("null"),
+                            again -> assertThat(again).contains("\"system\":\"off\",\"visit\":3,", "\"sequence\":1,"),
+                            pressed -> assertThat(pressed).contains("\"system\":\"on\",\"visit\":4,"));
+        }
+    }
+
+    private static void awaitStates(RunningFleet fleet, int number) {
+        fleet.cluster.readUntil(records -> records.of(Topic.STATES, "lamp").size() == number);
     }
 
     private static void bad(

@@ -125,6 +125,25 @@ class RolloutTest {
         }
     }
 
+    /** With the same record as before; what counted against the first attempt does not count against the second. */
+    @Test
+    void aRolloutThatWasStoppedCanBeRepeatedAndStopsAgain() {
+        try (DrivenFleet fleet = new DrivenFleet()) {
+            fleet.write(Topic.MODELS, "lamp-1", Models.LAMP.bytes());
+            fleet.write(Topic.MODELS, "lamp-2", Models.lamp(1_000).bytes());
+            fleet.write(Topic.DEVICES, "hall", Wire.device("lamp-1"));
+            for (int attempt = 1; attempt <= 3; attempt++) {
+                fleet.write(Topic.ROLLOUTS, "all", ALL.bytes());
+                assertThat(fleet.stateOf("hall")).contains("\"model\":\"lamp-2\"");
+                fleet.write(Topic.VERDICTS, "all", RolloutWatch.verdict(10, 0));
+                fleet.write(Topic.VERDICTS, "all", RolloutWatch.verdict(0, 9));
+                assertThat(fleet.stateOf("hall")).isEmpty();
+                fleet.write(Topic.VERDICTS, "all", RolloutWatch.verdict(0, 1));
+                assertThat(fleet.stateOf("hall")).contains("\"model\":\"lamp-1\"");
+            }
+        }
+    }
+
     @Test
     void aDeletedRolloutTakesInNoMoreDevices() {
         try (DrivenFleet fleet = new DrivenFleet()) {

@@ -171,7 +171,13 @@ class FleetFuzzTest {
         }
 
         private void write(Topic topic, @Nullable String key, byte @Nullable [] record) {
-            inputs.get(topic).pipeInput(key, record, nowMillis);
+            boolean isDevice = key != null && BY_DEVICE.contains(topic);
+            inputs.get(topic).pipeInput(isDevice ? id(key) : key, record, nowMillis);
+        }
+
+        /** Each story has its own devices: one that comes back would continue its numbers. */
+        private String id(String device) {
+            return device + '-' + stories;
         }
 
         private void pass(long millis) {
@@ -239,11 +245,11 @@ class FleetFuzzTest {
                     JsonNode json = MAPPER.readTree(record.value);
                     if (output.getKey() == Topic.DEAD_LETTERS) {
                         letters.add(json);
-                    } else if (GOOD.equals(record.key)) {
+                    } else if (id(GOOD).equals(record.key)) {
                         good.add(output.getKey() + " "
                                 + TIME.matcher(Wire.text(record.value))
                                         .replaceAll(time -> "" + (Long.parseLong(time.group()) - beginMillis)));
-                    } else if (STRANGER.equals(record.key)) {
+                    } else if (id(STRANGER).equals(record.key)) {
                         strangerIsKnown = true;
                     }
                 }

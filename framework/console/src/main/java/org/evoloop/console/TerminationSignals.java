@@ -13,14 +13,18 @@ import java.util.function.Consumer;
  *
  * <p>The JDK's signal API is not a supported part of the platform, hence the reflection; on a machine without it,
  * signals end the process as usual.
+ *
+ * <p>Threading: for one thread.
+ *
+ * @since 0.1
  */
-final class TerminationSignals {
+public final class TerminationSignals {
     private static final List<String> NAMES = List.of("INT", "TERM", "HUP");
 
     private final Map<Object, Object> former = new LinkedHashMap<>();
 
     /** @param action called with the signal's name on a thread of its own, once for each signal */
-    TerminationSignals(Consumer<String> action) {
+    public TerminationSignals(Consumer<String> action) {
         for (String name : NAMES) {
             try {
                 Class<?> handler = Class.forName("sun.misc.SignalHandler");
@@ -45,7 +49,8 @@ final class TerminationSignals {
         return handle.invoke(null, signal, handler);
     }
 
-    void restore() {
+    /** Makes signals do what they did before. */
+    public void restore() {
         former.forEach((signal, handler) -> {
             try {
                 handle(signal, handler);

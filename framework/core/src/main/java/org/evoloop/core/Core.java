@@ -30,7 +30,16 @@ public final class Core implements Inputs {
 
     /** A converter that has not been opened yet, in the initial states of its models. */
     public Core(Rules rules, Outputs outputs) {
-        this(rules, fresh(rules), outputs);
+        this(rules, outputs, 0);
+    }
+
+    /**
+     * A new one whose visits continue the numbering of a former one.
+     *
+     * @param visits the number of the last visit; 0 if there was none
+     */
+    public Core(Rules rules, Outputs outputs, long visits) {
+        this(rules, fresh(rules, visits), outputs);
     }
 
     /** Continues from {@code snapshot}, by the {@code rules} that applied when it was taken. */
@@ -47,14 +56,14 @@ public final class Core implements Inputs {
         arrivals.forget();
     }
 
-    private static Snapshot fresh(Rules rules) {
+    private static Snapshot fresh(Rules rules, long visits) {
         return new Snapshot(
                 false,
                 rules.table().models().initial(),
                 null,
                 0,
                 0,
-                new Snapshot.OpenVisit(0, true, null, Map.of()),
+                new Snapshot.OpenVisit(visits, true, null, Map.of()),
                 List.of(),
                 false,
                 false,

@@ -30,7 +30,8 @@ import org.slf4j.LoggerFactory;
  * <p>Lifecycle: {@link #will} and {@link #subscribe}, then {@link #open}, which does not wait for the broker; {@link
  * #close}.
  *
- * <p>Threading: all methods may be called from any thread. {@link #publish} never waits. Consumers are called on a
+ * <p>Threading: all methods may be called from any thread. Of them only {@link
+ * #awaitRoom} and {@link #close} wait. Consumers are called on a
  * thread of the client, one at a time, and must be quick.
  *
  * @since 0.1
@@ -104,6 +105,14 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
         }
     }
 
+    /**
+     * Waits until the next messages will not make others be lost, or the connection is; for those who publish more than
+     * the broker takes.
+     */
+    public void awaitRoom() throws InterruptedException {
+        outbox.awaitRoom(() -> isUp() && !closing);
+    }
+
     /** Publishes every state again. */
     public void republish() {
         outbox.republish();
@@ -151,6 +160,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
                 downSince = Instant.now();
             }
             outbox.discardCommands();
+            outbox.wake();
             whenLost.forEach(Runnable::run);
         }
     }

@@ -77,6 +77,17 @@ final class Outbox {
         return null;
     }
 
+    /**
+     * Waits until half of the places for messages are free.
+     *
+     * @param live whether to keep waiting; {@link #wake} makes it be evaluated again
+     */
+    synchronized void awaitRoom(BooleanSupplier live) throws InterruptedException {
+        while (live.getAsBoolean() && others.size() >= MOST_WAITING / 2) {
+            wait();
+        }
+    }
+
     private @Nullable Message poll() {
         Iterator<String> first = due.iterator();
         if (first.hasNext()) {
@@ -85,7 +96,11 @@ final class Outbox {
             return states.get(topic);
         }
         losing = false;
-        return others.pollFirst();
+        Message next = others.pollFirst();
+        if (next != null && others.size() < MOST_WAITING / 2) {
+            notifyAll();
+        }
+        return next;
     }
 
     /** Gives back the last message taken, which did not reach the broker. */

@@ -54,6 +54,25 @@ class BrokerConnectionTest {
     }
 
     @Test
+    void whoeverWaitsForRoomLosesNothing() throws Exception {
+        List<String> heard = new CopyOnWriteArrayList<>();
+        try (Mosquitto broker = new Mosquitto(directory).start();
+                BrokerConnection connection = connection(broker.url());
+                BrokerConnection other = new BrokerConnection(BrokerAddress.parse(broker.url()), "other")) {
+            other.subscribe("lamp/set", message -> heard.add(message.payload()));
+            other.open();
+            connection.open();
+            await().atMost(LIMIT).until(() -> connection.isUp() && other.isUp());
+            for (int each = 0; each < 1_000; each++) {
+                connection.awaitRoom();
+                connection.publish(Message.command("lamp/set", String.valueOf(each)));
+            }
+            await().atMost(LIMIT).until(() -> heard.size() == 1_000);
+            assertThat(connection.lost()).isZero();
+        }
+    }
+
+    @Test
     void eventsOfAnOutageAreReportedAfterwardsAndCommandsAreNot() throws Exception {
         try (Mosquitto broker = new Mosquitto(directory);
                 BrokerConnection connection = connection(broker.url())) {

@@ -69,10 +69,9 @@ public final class Carried implements AutoCloseable {
         if (last.getOrDefault(device, 0L) >= sequence) {
             return false;
         }
-        last.put(device, sequence);
         try {
-            lines.write(ByteBuffer.wrap(line(device, sequence).getBytes(StandardCharsets.UTF_8)));
-            lines.force(false);
+            append(line(device, sequence));
+            last.put(device, sequence);
             if (++written > MOST_LINES) {
                 lines.close();
                 lines = rewritten();
@@ -82,6 +81,18 @@ public final class Carried implements AutoCloseable {
             throw new UncheckedIOException(file + " cannot be written: " + e.getMessage(), e);
         }
         return true;
+    }
+
+    private void append(String line) throws IOException {
+        long before = lines.size();
+        try {
+            lines.write(ByteBuffer.wrap(line.getBytes(StandardCharsets.UTF_8)));
+            lines.force(false);
+        } catch (IOException e) {
+            // A part of the line, as on a full disk, would spoil the next one.
+            lines.truncate(before);
+            throw e;
+        }
     }
 
     /** The last command that counts as executed; 0 if there is none. */

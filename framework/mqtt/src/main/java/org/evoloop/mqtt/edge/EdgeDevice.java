@@ -7,8 +7,6 @@ import java.time.InstantSource;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
@@ -58,7 +56,7 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
     private final BrokerConnection gateway;
     private final Outbox outbox;
     private final Carried carried;
-    private final BlockingQueue<Message> received = new LinkedBlockingQueue<>();
+    private final Inbox received;
     /** The highest number that the gateway has confirmed. */
     private final AtomicLong confirmed = new AtomicLong();
 
@@ -92,8 +90,9 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
         this.outbox = new Outbox(directory, wall.millis());
         this.carried = new Carried(directory);
         this.gateway = new BrokerConnection(broker, "edge-" + id);
-        gateway.subscribe(topic("command"), received::add);
-        gateway.subscribe(topic("state"), received::add);
+        this.received = new Inbox(topic("command"));
+        gateway.subscribe(topic("command"), received::put);
+        gateway.subscribe(topic("state"), received::put);
         gateway.subscribe(topic("kept"), this::confirmed);
     }
 

@@ -1,7 +1,9 @@
 package org.evoloop.mqtt.edge;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -36,6 +38,54 @@ class KeptTest {
             outbox.add("occurrence", "a", "{4}");
             assertThat(outbox.first(9, 1)).extracting(Outbox.Entry::number).containsExactly(4L);
         }
+    }
+
+    @Test
+    void aRecordMayContainCarriageReturns() throws Exception {
+        try (Outbox outbox = new Outbox(directory, 0)) {
+            outbox.add("occurrence", "a", "{\r\n\"event\":\"switch\"\r\n}");
+        }
+        try (Outbox outbox = new Outbox(directory, 0)) {
+            assertThat(outbox.first(9, 1))
+                    .extracting(Outbox.Entry::record)
+                    .containsExactly("{\r \"event\":\"switch\"\r }");
+        }
+    }
+
+    /** While records always wait, their file shrinks nevertheless, and nothing that waits is lost. */
+    @Test
+    void theFileDoesNotGrowForever() throws Exception {
+        String record = "{" + " ".repeat(10_000) + "}";
+        try (Outbox outbox = new Outbox(directory, 0)) {
+            outbox.write("occurrence", "a", "{}");
+            for (int each = 1; each <= 1_000; each++) {
+                outbox.write("occurrence", "a", record);
+                outbox.force();
+                outbox.sent(each);
+            }
+            assertThat(Files.size(directory.resolve("outbox"))).isLessThan(1_200_000);
+            outbox.write("occurrence", "a", "{last}");
+        }
+        try (Outbox outbox = new Outbox(directory, 0)) {
+            assertThat(outbox.first(9, 1))
+                    .containsExactly(
+                            new Outbox.Entry(1_001, "occurrence", "a", record),
+                            new Outbox.Entry(1_002, "occurrence", "a", "{last}"));
+        }
+    }
+
+    @Test
+    void aDirectoryThatCannotBeUsedIsRefused() throws Exception {
+        try (Outbox outbox = new Outbox(directory, 0)) {
+            outbox.add("occurrence", "a", "{1}");
+            assertThatThrownBy(() -> new Outbox(directory, 0))
+                    .isInstanceOf(UncheckedIOException.class)
+                    .hasMessage(directory + " cannot be used: another program uses it");
+        }
+        Files.writeString(directory.resolve("outbox.sent"), "");
+        assertThatThrownBy(() -> new Outbox(directory, 0))
+                .isInstanceOf(UncheckedIOException.class)
+                .hasMessageContaining("outbox.sent is damaged: a number was expected, found ''");
     }
 
     @Test
