@@ -112,7 +112,7 @@ final class Carrier {
                 driver.announceEffect(number);
                 driver.ran(number, run(run.effect(), plan.occurrence(), execute));
             } else if (next instanceof Output.Locate) {
-                State state = execute.locate().map(State::new).orElse(null);
+                State state = execute.locate().map(knowledge.get()::located).orElse(null);
                 if (state == null && senders.indexOf(execute) < senders.size() - 1) {
                     handBack(agenda, next);
                     return;

@@ -170,7 +170,7 @@ public final class EdgeShell implements AutoCloseable {
         carryOut(sequence, "device", "locate", () -> {
             Optional<State> found = Optional.empty();
             for (EventExecute execute : assembly.executes()) {
-                found = found.isPresent() ? found : execute.locate().map(State::new);
+                found = found.isPresent() ? found : execute.locate().map(knowledge::located);
             }
             answer(sequence, Result.SENT, "", found);
         });
