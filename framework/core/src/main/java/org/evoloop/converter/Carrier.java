@@ -126,7 +126,7 @@ final class Carrier {
                     unsettled = cause;
                 }
             } else {
-                visit(next);
+                visit(next, plan.decision().leavesState() ? plan.occurrence().values() : null);
             }
         }
         books.transcript().say();
@@ -199,16 +199,17 @@ final class Carrier {
     void carryOut() {
         Agenda agenda = driver.agenda();
         for (Output.Directive next = agenda.poll(); next != null; next = agenda.poll()) {
-            visit(next);
+            visit(next, null);
         }
         books.transcript().say();
     }
 
-    private void visit(Output.Directive directive) {
+    /** @param carried the values of the event with which a state is entered; null if it is entered again */
+    private void visit(Output.Directive directive, @Nullable Values carried) {
         if (directive instanceof Output.Leave) {
             visits.leave();
         } else if (directive instanceof Output.Enter enter) {
-            visits.enter(enter);
+            visits.enter(enter, carried);
         } else if (directive instanceof Output.CarryOver over) {
             visits.carryOver(over);
         } else if (directive instanceof Output.Start start) {

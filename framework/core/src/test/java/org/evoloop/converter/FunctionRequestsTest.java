@@ -117,6 +117,47 @@ class FunctionRequestsTest {
     }
 
     @Test
+    void whatAnEventCarriesReachesTheFunctionAndFromThereTheDevice() {
+        try (Player player = new Player(visit -> {
+            visit.send("pause", visit.values());
+            visit.finish("faded", Values.of("seconds", 3));
+        })) {
+            player.press("play");
+            player.buttons.press("fade", Values.of("volume", 7));
+            player.observe();
+            player.settle();
+            assertThat(player.sent).containsExactly("play", "pause volume=7.0", "stop seconds=3.0");
+        }
+    }
+
+    @Test
+    void aFunctionThatStartsAgainHasTheValuesOfTheEventThatLedToItsState() {
+        List<Values> seen = new ArrayList<>();
+        try (Player player = new Player(visit -> seen.add(visit.values()))) {
+            player.press("play");
+            player.buttons.press("fade", Values.of("volume", 7));
+            player.observe();
+            player.settle();
+            player.before = () -> {
+                throw new IllegalStateException("the cable is out");
+            };
+            player.buttons.press("stop", Values.of("volume", 1));
+            player.observe();
+            player.settle();
+            player.before = () -> {};
+            player.converter.stop();
+            player.converter.start();
+            assertThat(seen).hasSize(3).containsOnly(Values.of("volume", 7));
+
+            player.press("stop");
+            player.press("play");
+            player.press("fade");
+            player.settle();
+            assertThat(seen).hasSize(4).last().isEqualTo(Values.NONE);
+        }
+    }
+
+    @Test
     void listenersHearInOrderWhatHappens() {
         List<String> heard = new ArrayList<>();
         try (Player player = new Player(NewFunction.none())) {
