@@ -95,8 +95,14 @@ final class CoreDriver implements Intake<Occurrence>, EffectListener {
 
     // The loop's intake
 
+    /** @throws IllegalArgumentException if its time is in the future: all timers would be late by as much */
     @Override
     public synchronized Admission offer(Occurrence occurrence) {
+        long early = occurrence.observedNanos() - clock.nanoTime();
+        if (early > 0) {
+            throw new IllegalArgumentException(occurrence + " says that it was observed " + early / 1_000_000
+                    + " ms in the future; give it a time of the converter's clock");
+        }
         outputs.admission = Admission.TAKEN;
         if (core.isOpen() || occurrence.isFact()) {
             watchman.comes(occurrence, core.at());

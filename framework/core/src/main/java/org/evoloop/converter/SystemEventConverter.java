@@ -404,7 +404,11 @@ public final class SystemEventConverter implements AutoCloseable {
         return Optional.ofNullable(evolver.shadow());
     }
 
-    /** Queues an occurrence as if a monitor had reported it; false if it was refused or dropped. */
+    /**
+     * Queues an occurrence as if a monitor had reported it; false if it was refused or dropped.
+     *
+     * @throws IllegalArgumentException if its time is in the future of this converter's {@link #clock}
+     */
     public boolean offer(Occurrence occurrence) {
         boolean taken = built().loop.offer(occurrence);
         listeners.deliver();
