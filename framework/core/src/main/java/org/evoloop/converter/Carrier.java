@@ -162,12 +162,12 @@ final class Carrier {
     }
 
     private void performWhenReady(long number, Step step, Values values, EventExecute execute) throws Exception {
-        execute.awaitReady(step);
+        execute.prepare(step, values);
         if (!driver.rules().table().isOpen(step, knowledge.bindings().with(values))) {
             throw new IllegalStateException("the guards of the original model do not let " + step + " be taken now");
         }
         if (driver.announce(number, execute)) {
-            execute.perform(step, values);
+            execute.perform(step);
         }
     }
 

@@ -145,11 +145,11 @@ public final class EdgeShell implements AutoCloseable {
         for (EventExecute execute : assembly.executes()) {
             if (execute.events().contains(step.trigger())) {
                 carryOut(sequence, execute.name(), "send", () -> {
-                    execute.awaitReady(step);
+                    execute.prepare(step, values);
                     synchronized (this) {
                         execute.sending = sequence;
                     }
-                    execute.perform(step, values);
+                    execute.perform(step);
                 });
                 return;
             }

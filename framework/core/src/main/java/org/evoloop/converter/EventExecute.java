@@ -136,9 +136,14 @@ public abstract class EventExecute extends Execute<ChangePlan> {
         }
     }
 
-    /** Sends an announced step. */
-    final void perform(Step step, Values carried) throws Exception {
+    /** Waits until the device can take {@code step}, which is sent next. */
+    final void prepare(Step step, Values carried) throws Exception {
         values = carried;
+        awaitReady(step);
+    }
+
+    /** Sends an announced step. */
+    final void perform(Step step) throws Exception {
         send(step);
         report(false);
     }

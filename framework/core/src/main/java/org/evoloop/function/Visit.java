@@ -13,7 +13,8 @@ import org.evoloop.time.TimesOfDay;
  * One visit of the evolved system to a state. Everything that belongs to a visit ends with it: its function, its
  * timers, and events that it raised and that have not been handled yet.
  *
- * <p>Threading: all methods may be called from any thread.
+ * <p>Threading: all methods may be called from any thread. Only the thread of the function and that of its tasks are
+ * interrupted when the state is left; on any other, {@link #sleep}, {@link #raise} and {@link #send} wait on.
  *
  * @since 0.1
  */

@@ -117,6 +117,19 @@ class FunctionRequestsTest {
     }
 
     @Test
+    void aDeviceThatIsNotReadyKnowsTheValuesOfTheEventToCome() {
+        try (Player player = new Player(NewFunction.none())) {
+            List<Values> seen = new ArrayList<>();
+            player.device.awaitReady = () -> seen.add(player.device.values());
+            player.buttons.press("play", Values.of("volume", 7));
+            player.observe();
+            player.press("stop");
+            player.settle();
+            assertThat(seen).containsExactly(Values.of("volume", 7), Values.NONE);
+        }
+    }
+
+    @Test
     void whatAnEventCarriesReachesTheFunctionAndFromThereTheDevice() {
         try (Player player = new Player(visit -> {
             visit.send("pause", visit.values());
