@@ -30,7 +30,7 @@ public interface ConverterListener {
     /** Other models have taken over; later notices are in terms of these. */
     default void evolved(Evolution.Result result) {}
 
-    /** A component has failed. */
+    /** A component has failed, or a guard, an effect, a new function or one of its tasks. */
     default void failed(Failure<Occurrence> failure) {}
 
     /** Whether the record of the device is in doubt has changed; {@code why} is empty if it no longer is. */

@@ -142,7 +142,7 @@ final class Listeners {
             what.accept(listener);
         } catch (Throwable cause) {
             String name = nameOf(listener);
-            failures.fault("listener " + name, new Failure<>(name, "listener", 0, null, cause));
+            failures.note("listener " + name, new Failure<>(name, "listener", 0, null, cause));
         }
     }
 

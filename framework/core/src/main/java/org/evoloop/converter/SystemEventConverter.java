@@ -69,6 +69,7 @@ public final class SystemEventConverter implements AutoCloseable {
         this.belongings = new Belongings(config.name());
         this.failures = new FailureLog(config);
         this.listeners = new Listeners(config, failures);
+        failures.tell(listeners::failed);
         this.changes = new ChangeLock(config.name(), this::isComponent, this::ownsCurrentThread, listeners::deliver);
         this.stopping = new Stopping(config.name());
         this.crewing = new Crewing(belongings);

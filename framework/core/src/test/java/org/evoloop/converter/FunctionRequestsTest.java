@@ -9,9 +9,11 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Values;
 import org.evoloop.function.NewFunction;
 import org.evoloop.function.Reading;
+import org.evoloop.loop.Failure;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -196,5 +198,30 @@ class FunctionRequestsTest {
                         "(Playing, Stopped) to (Playing, Playing)",
                         "play HANDLED",
                         "faded IGNORED");
+    }
+
+    @Test
+    void listenersHearOfAFunctionAndATaskThatFail() {
+        List<String> heard = new ArrayList<>();
+        try (Player player = new Player(visit -> {
+            visit.after(Duration.ofSeconds(1), () -> {
+                throw new IllegalStateException("no sound");
+            });
+            throw new IllegalStateException("no volume");
+        })) {
+            player.converter.addListener(new ConverterListener() {
+                @Override
+                public void failed(Failure<Occurrence> failure) {
+                    heard.add(failure.toString());
+                    throw new IllegalStateException("and the listener fails, too");
+                }
+            });
+            player.press("play");
+            player.press("fade");
+            player.settle();
+            player.clock.advance(Duration.ofSeconds(1));
+            player.settle();
+        }
+        assertThat(heard).containsExactly("Fading.function: no volume", "Fading.function: no sound");
     }
 }
