@@ -69,7 +69,7 @@ class ArchitectureTest {
             .whereLayer("loop")
             .mayOnlyAccessLayers("time", "flight")
             .whereLayer("function")
-            .mayOnlyAccessLayers("loop", "time", "statemachine")
+            .mayOnlyAccessLayers("evolution", "loop", "time", "statemachine")
             .whereLayer("converter")
             .mayOnlyAccessLayers(
                     "core", "migration", "loop", "function", "flight", "evolution", "time", "statemachine");

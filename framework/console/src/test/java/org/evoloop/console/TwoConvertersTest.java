@@ -8,22 +8,29 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
-import org.evoloop.RecordingExecute;
 import org.evoloop.converter.ConverterListener;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.converter.UnknownEffectException;
+import org.evoloop.core.Outcome;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Step;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.LoopState;
+import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.SystemClock;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -47,7 +54,8 @@ class TwoConvertersTest {
             "Warm boost -> Blinking",
             "Blinking switch -> Off");
 
-    private final RecordingExecute lamp = new RecordingExecute("Lamp", "switch");
+    private final Lamp lamp = new Lamp();
+    private final Reports reports = new Reports();
     private final PushMonitor lowerEvents = new PushMonitor("LowerEvents");
     private final PushMonitor remote = new PushMonitor("Remote");
     private final SystemClock lowerClock = new SystemClock();
@@ -61,37 +69,100 @@ class TwoConvertersTest {
         lower.addKnowledge(new Knowledge(new ModelPair(LAMP, WARM), "Warm"));
         lower.build();
 
+        Lower below = new Lower();
+        lower.addListener(below);
         upper.addMonitor(remote);
-        upper.addExecute(new Lower());
+        upper.addMonitor(reports);
+        upper.addExecute(below);
         upper.addKnowledge(new Knowledge(new ModelPair(WARM, PARTY), "Blinking"));
         upper.build();
     }
 
-    /** Sends events to the lower converter; they have taken effect when that converter has processed them. */
-    private final class Lower extends EventExecute {
+    private static final class Lamp extends EventExecute {
+        final List<String> sent = new CopyOnWriteArrayList<>();
+        volatile boolean isLoose;
+
+        @Override
+        protected Set<String> sendableEvents() {
+            return Set.of("switch");
+        }
+
+        @Override
+        protected void send(Step step) {
+            if (isLoose) {
+                throw new IllegalStateException("the lamp is loose");
+            }
+            sent.add(step.trigger().name());
+        }
+    }
+
+    /**
+     * The lower converter as the upper one's device. What becomes of the events that it is sent, and where it goes by
+     * itself, is reported on the thread of its listeners: in the order in which it happened there.
+     */
+    private final class Lower extends EventExecute implements ConverterListener {
+        private final BlockingQueue<HistoryEntry> answers = new LinkedBlockingQueue<>();
+        private volatile @Nullable Occurrence asked;
+
         @Override
         protected Set<String> sendableEvents() {
             return Set.of("switch", "dim");
         }
 
         @Override
-        protected void send(Step step) throws InterruptedException {
-            CountDownLatch dealtWith = new CountDownLatch(1);
-            lower.addListener(new ConverterListener() {
-                @Override
-                public void ended(HistoryEntry entry) {
-                    dealtWith.countDown();
-                }
-            });
-            lowerEvents.press(step.trigger().name());
-            if (!dealtWith.await(30, TimeUnit.SECONDS)) {
-                throw new IllegalStateException("the lower converter has not dealt with " + step.trigger());
+        protected void send(Step step) throws Exception {
+            Occurrence event = new Occurrence.Heard(
+                    step.trigger(),
+                    values(),
+                    Source.CONTROLLER,
+                    Occurrence.ANY_VISIT,
+                    lower.clock().nanoTime());
+            answers.clear();
+            asked = event;
+            if (!lower.offer(event)) {
+                throw new IllegalStateException("the lower converter does not take " + step.trigger());
             }
+            HistoryEntry answer = answers.poll(20, TimeUnit.SECONDS);
+            if (answer == null) {
+                throw new UnknownEffectException("the lower converter has not dealt with " + step.trigger());
+            }
+            if (!hasObeyed(answer)) {
+                throw new IllegalStateException("the lower converter did not obey: " + answer.detail());
+            }
+        }
+
+        @Override
+        public void ended(HistoryEntry entry) {
+            if (!entry.occurrence().equals(asked)) {
+                if (hasMoved(entry)) {
+                    reports.found(entry.after().evolved());
+                }
+                return;
+            }
+            if (hasObeyed(entry)) {
+                tookEffect();
+            }
+            answers.add(entry);
+        }
+
+        private boolean hasObeyed(HistoryEntry entry) {
+            return entry.outcome() == Outcome.HANDLED || hasMoved(entry);
+        }
+
+        private boolean hasMoved(HistoryEntry entry) {
+            return !entry.before().evolved().equals(entry.after().evolved());
         }
 
         @Override
         protected Optional<String> locate() {
             return Optional.of(lower.knowledge().getCurrentState().name());
+        }
+    }
+
+    /** Tells the upper converter where the lower one went by itself. */
+    private static final class Reports extends PushMonitor {
+        void found(State state) {
+            push(foundIn(state.name()));
         }
     }
 
@@ -117,23 +188,64 @@ class TwoConvertersTest {
         lowerClock.close();
     }
 
-    @Test
-    void anEventOfTheUpperOneBecomesEventsOfTheLowerOneAndThoseOneOfTheDevice() throws InterruptedException {
-        CountDownLatch arrived = new CountDownLatch(1);
+    /** Starts both; returns what ends in the upper one from now on. */
+    private BlockingQueue<HistoryEntry> start() {
+        BlockingQueue<HistoryEntry> ended = new LinkedBlockingQueue<>();
         upper.addListener(new ConverterListener() {
             @Override
             public void ended(HistoryEntry entry) {
-                arrived.countDown();
+                ended.add(entry);
             }
         });
         lower.start();
         upper.start();
+        return ended;
+    }
+
+    private static HistoryEntry next(BlockingQueue<HistoryEntry> ended) throws InterruptedException {
+        HistoryEntry entry = ended.poll(30, TimeUnit.SECONDS);
+        assertThat(entry).isNotNull();
+        return entry;
+    }
+
+    @Test
+    void anEventOfTheUpperOneBecomesEventsOfTheLowerOneAndThoseOneOfTheDevice() throws InterruptedException {
+        BlockingQueue<HistoryEntry> ended = start();
         remote.press("party");
-        assertThat(arrived.await(30, TimeUnit.SECONDS)).isTrue();
+        assertThat(next(ended).outcome()).isEqualTo(Outcome.HANDLED);
 
         assertThat(upper.knowledge().configuration()).hasToString("(Warm, Warm)");
         assertThat(lower.knowledge().configuration()).hasToString("(On, Warm)");
-        assertThat(lamp.sent()).containsExactly("switch");
+        assertThat(lamp.sent).containsExactly("switch");
+    }
+
+    @Test
+    void whatTheLowerOneCannotDoFailsInTheUpperOne() throws InterruptedException {
+        BlockingQueue<HistoryEntry> ended = start();
+        lamp.isLoose = true;
+        remote.press("party");
+        HistoryEntry failed = next(ended);
+        assertThat(failed.outcome()).isEqualTo(Outcome.FAILED);
+        assertThat(failed.detail()).contains("the lower converter did not obey").contains("the lamp is loose");
+        assertThat(upper.knowledge().configuration()).hasToString("(Off, Off)");
+
+        lower.stop();
+        remote.press("switch");
+        assertThat(next(ended).detail()).contains("the lower converter does not take switch");
+    }
+
+    @Test
+    void whatTheLowerOneDoesByItselfMovesTheUpperOne() throws InterruptedException {
+        BlockingQueue<HistoryEntry> ended = start();
+        lowerEvents.press("switch");
+        assertThat(next(ended).occurrence().label()).isEqualTo("found On");
+        assertThat(upper.knowledge().configuration()).hasToString("(On, On)");
+
+        remote.press("switch");
+        next(ended);
+        assertThat(upper.knowledge().configuration()).hasToString("(Off, Off)");
+        assertThat(lower.knowledge().configuration()).hasToString("(Off, Off)");
+        assertThat(lamp.sent).containsExactly("switch", "switch");
     }
 
     @Test

@@ -112,7 +112,7 @@ final class Carrier {
                 driver.announceEffect(number);
                 driver.ran(number, run(run.effect(), plan.occurrence(), execute));
             } else if (next instanceof Output.Locate) {
-                State state = execute.locate().map(State::new).orElse(null);
+                State state = execute.locate().map(knowledge.get()::located).orElse(null);
                 if (state == null && senders.indexOf(execute) < senders.size() - 1) {
                     handBack(agenda, next);
                     return;
@@ -126,7 +126,7 @@ final class Carrier {
                     unsettled = cause;
                 }
             } else {
-                visit(next);
+                visit(next, plan.decision().leavesState() ? plan.occurrence().values() : null);
             }
         }
         books.transcript().say();
@@ -162,12 +162,12 @@ final class Carrier {
     }
 
     private void performWhenReady(long number, Step step, Values values, EventExecute execute) throws Exception {
-        execute.awaitReady(step);
+        execute.prepare(step, values);
         if (!driver.rules().table().isOpen(step, knowledge.bindings().with(values))) {
             throw new IllegalStateException("the guards of the original model do not let " + step + " be taken now");
         }
         if (driver.announce(number, execute)) {
-            execute.perform(step, values);
+            execute.perform(step);
         }
     }
 
@@ -199,16 +199,17 @@ final class Carrier {
     void carryOut() {
         Agenda agenda = driver.agenda();
         for (Output.Directive next = agenda.poll(); next != null; next = agenda.poll()) {
-            visit(next);
+            visit(next, null);
         }
         books.transcript().say();
     }
 
-    private void visit(Output.Directive directive) {
+    /** @param carried the values of the event with which a state is entered; null if it is entered again */
+    private void visit(Output.Directive directive, @Nullable Values carried) {
         if (directive instanceof Output.Leave) {
             visits.leave();
         } else if (directive instanceof Output.Enter enter) {
-            visits.enter(enter);
+            visits.enter(enter, carried);
         } else if (directive instanceof Output.CarryOver over) {
             visits.carryOver(over);
         } else if (directive instanceof Output.Start start) {

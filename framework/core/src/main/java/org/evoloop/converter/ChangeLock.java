@@ -16,6 +16,7 @@ final class ChangeLock {
     private final String name;
     private final BooleanSupplier fromLoop;
     private final BooleanSupplier fromWithin;
+    private final Runnable afterwards;
     private final ReentrantLock lock = new ReentrantLock();
     private volatile boolean closing;
 
@@ -23,11 +24,13 @@ final class ChangeLock {
      * @param name the converter's
      * @param fromLoop whether the caller is a component; every change waits for components
      * @param fromWithin whether the caller is any code that the converter calls
+     * @param afterwards runs after each change, when another may be made
      */
-    ChangeLock(String name, BooleanSupplier fromLoop, BooleanSupplier fromWithin) {
+    ChangeLock(String name, BooleanSupplier fromLoop, BooleanSupplier fromWithin, Runnable afterwards) {
         this.name = name;
         this.fromLoop = fromLoop;
         this.fromWithin = fromWithin;
+        this.afterwards = afterwards;
     }
 
     /**
@@ -63,6 +66,9 @@ final class ChangeLock {
             change.run();
         } finally {
             lock.unlock();
+            if (!lock.isHeldByCurrentThread()) {
+                afterwards.run();
+            }
         }
     }
 

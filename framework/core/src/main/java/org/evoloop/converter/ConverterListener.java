@@ -9,7 +9,8 @@ import org.evoloop.loop.Failure;
  * Is notified of what a converter does, see {@link SystemEventConverter#addListener}.
  *
  * <p>Threading: called on one thread of the converter that does nothing else, one call at a time and in the order in
- * which things happened; in a converter without threads on the thread that takes the steps. One that throws is logged.
+ * which things happened; in a converter without threads after each step, on the thread that takes it. One that throws
+ * is logged.
  *
  * @since 0.1
  */
@@ -29,7 +30,7 @@ public interface ConverterListener {
     /** Other models have taken over; later notices are in terms of these. */
     default void evolved(Evolution.Result result) {}
 
-    /** A component has failed. */
+    /** A component has failed, or a guard, an effect, a new function or one of its tasks. */
     default void failed(Failure<Occurrence> failure) {}
 
     /** Whether the record of the device is in doubt has changed; {@code why} is empty if it no longer is. */

@@ -305,11 +305,11 @@ final class ConverterShell implements LoopListener<Occurrence> {
     /** Counts a failure of the code that an unresponsive component was calling. */
     private void blame(Failure<Occurrence> failure) {
         for (String guard : knowledge.bindings().asked()) {
-            books.failures().fault("guard [" + guard + "]", failure);
+            books.failures().note("guard [" + guard + "]", failure);
         }
         String effect = carrier.runningEffect();
         if (!effect.isEmpty()) {
-            books.failures().fault("effect " + effect, failure);
+            books.failures().note("effect " + effect, failure);
         }
     }
 

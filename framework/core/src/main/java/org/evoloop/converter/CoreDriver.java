@@ -16,11 +16,14 @@ import org.evoloop.core.Tally;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.loop.Intake;
 import org.evoloop.loop.QueueStatus;
+import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
@@ -92,8 +95,14 @@ final class CoreDriver implements Intake<Occurrence>, EffectListener {
 
     // The loop's intake
 
+    /** @throws IllegalArgumentException if its time is in the future: all timers would be late by as much */
     @Override
     public synchronized Admission offer(Occurrence occurrence) {
+        long early = occurrence.observedNanos() - clock.nanoTime();
+        if (early > 0) {
+            throw new IllegalArgumentException(occurrence + " says that it was observed " + early / 1_000_000
+                    + " ms in the future; give it a time of the converter's clock");
+        }
         outputs.admission = Admission.TAKEN;
         if (core.isOpen() || occurrence.isFact()) {
             watchman.comes(occurrence, core.at());
@@ -194,7 +203,8 @@ final class CoreDriver implements Intake<Occurrence>, EffectListener {
      * Begins a plan, unless it has begun.
      *
      * @return the directives of the plan
-     * @throws IllegalStateException if it is a plan for another occurrence than that in progress
+     * @throws IllegalStateException if it is a plan for another occurrence than that in progress, or leads to states
+     *     that the models do not have
      */
     synchronized Agenda takeUp(ChangePlan plan) {
         Pending pending = outputs.begun;
@@ -203,10 +213,28 @@ final class CoreDriver implements Intake<Occurrence>, EffectListener {
         }
         Agenda agenda = outputs.agenda;
         if (agenda.turn() != pending.number()) {
+            requireStates(plan.decision());
             agenda.begin(pending.number());
             inputs.planned(pending.number(), plan.decision(), clock.nanoTime());
         }
         return agenda;
+    }
+
+    /** An analyze component may have made the decision: the record must not come to states that do not exist. */
+    private void requireStates(Decision decision) {
+        ModelPair models = rules.table().models();
+        requireState(models.evolved(), decision.after().evolved(), "new");
+        requireState(models.original(), decision.after().original(), "original");
+        for (int index = 0; index < decision.steps().size(); index++) {
+            requireState(models.original(), decision.steps().get(index).target(), "original");
+        }
+    }
+
+    private static void requireState(StateMachine machine, State state, String which) {
+        if (!machine.hasState(state)) {
+            throw new IllegalStateException("the plan leads to " + state + ", which is not a state of the " + which
+                    + " model" + Names.hint(state.name(), machine.states()));
+        }
     }
 
     /** The next directive of {@code plan}; null if there is none. Called by the thread whose turn it is. */

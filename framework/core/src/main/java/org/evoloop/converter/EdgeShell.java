@@ -145,11 +145,11 @@ public final class EdgeShell implements AutoCloseable {
         for (EventExecute execute : assembly.executes()) {
             if (execute.events().contains(step.trigger())) {
                 carryOut(sequence, execute.name(), "send", () -> {
-                    execute.awaitReady(step);
+                    execute.prepare(step, values);
                     synchronized (this) {
                         execute.sending = sequence;
                     }
-                    execute.perform(step, values);
+                    execute.perform(step);
                 });
                 return;
             }
@@ -170,7 +170,7 @@ public final class EdgeShell implements AutoCloseable {
         carryOut(sequence, "device", "locate", () -> {
             Optional<State> found = Optional.empty();
             for (EventExecute execute : assembly.executes()) {
-                found = found.isPresent() ? found : execute.locate().map(State::new);
+                found = found.isPresent() ? found : execute.locate().map(knowledge::located);
             }
             answer(sequence, Result.SENT, "", found);
         });
@@ -236,7 +236,7 @@ public final class EdgeShell implements AutoCloseable {
         }
         if (now.function() && now.visit() > visited) {
             visited = now.visit();
-            visits.enter(new Output.Enter(now.visit(), state, transition(now), Map.of()));
+            visits.enter(new Output.Enter(now.visit(), state, transition(now), Map.of()), Values.NONE);
             visits.start(new Output.Start(now.visit(), false));
         }
     }

@@ -44,6 +44,10 @@ public class EventAnalyze extends Analyze<Occurrence, Analysis> {
      */
     @Override
     protected @Nullable Analysis analyze(Occurrence occurrence) {
+        return decided(occurrence);
+    }
+
+    private @Nullable Analysis decided(Occurrence occurrence) {
         CoreDriver attached = driver;
         Decision decision = attached == null ? null : attached.decide(occurrence);
         return decision == null ? null : new Analysis(occurrence, decision);
@@ -58,8 +62,14 @@ public class EventAnalyze extends Analyze<Occurrence, Analysis> {
         return attached.configuration();
     }
 
-    /** An analysis that dismisses {@code occurrence}; the history shows the reason. */
+    /**
+     * An analysis that dismisses {@code occurrence}; the history shows the reason. What keeps the record right cannot be
+     * refused, and is analyzed as usual: a question to a device whose state is in doubt, and what has to be sent after
+     * other models have taken over.
+     */
     protected final Analysis refuse(Occurrence occurrence, String reason) {
-        return new Analysis(occurrence, new Decision.Refused(configuration(), reason));
+        boolean keepsRecord = occurrence instanceof Occurrence.InDoubt || occurrence instanceof Occurrence.Evolved;
+        Analysis usual = keepsRecord ? decided(occurrence) : null;
+        return usual == null ? new Analysis(occurrence, new Decision.Refused(configuration(), reason)) : usual;
     }
 }

@@ -7,6 +7,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.RejectedExecutionException;
+import java.util.function.Consumer;
+import org.evoloop.evolution.Occurrence;
 import org.evoloop.loop.Failure;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.Clock;
@@ -32,6 +34,7 @@ final class FailureLog {
     private final boolean threads;
     private final ArrayDeque<String> soon = new ArrayDeque<>();
     private boolean saying;
+    private volatile Consumer<Failure<Occurrence>> listener = failure -> {};
     private final Map<String, Long> counts = new LinkedHashMap<>();
     private final Map<String, ConverterStatus.Fault> faults = new LinkedHashMap<>();
     private long intervalNanos;
@@ -59,17 +62,28 @@ final class FailureLog {
         }
     }
 
+    /** Has {@code told} hear of every {@link #fault}; it must return at once. */
+    void tell(Consumer<Failure<Occurrence>> told) {
+        listener = told;
+    }
+
     /**
      * Logs and counts a failure of {@code part}, such as {@code guard [full]}, which is not a component and has no
-     * count of its own.
+     * count of its own, and tells of it.
      */
-    void fault(String part, Failure<?> failure) {
-        fault(part, failure.toString());
+    void fault(String part, Failure<Occurrence> failure) {
+        note(part, failure);
+        listener.accept(failure);
+    }
+
+    /** As {@link #fault}, but without telling: for failures that are told otherwise, and those of who would be told. */
+    void note(String part, Failure<?> failure) {
+        count(part, failure.toString());
         log(failure);
     }
 
     /** Only counts a failure of {@code part}. */
-    synchronized void fault(String part, String message) {
+    synchronized void count(String part, String message) {
         if (faults.size() < DISTINCT || faults.containsKey(part)) {
             ConverterStatus.Fault before = faults.get(part);
             faults.put(part, new ConverterStatus.Fault(part, before == null ? 1 : before.failures() + 1, message));

@@ -1,9 +1,10 @@
 package org.evoloop.converter;
 
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.evoloop.evolution.Configuration;
@@ -17,10 +18,12 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The listeners of a converter, and the thread that calls them. The thread runs while there is a listener.
+ * The listeners of a converter, and the thread that calls them. The thread runs while there is a listener. Without
+ * threads, calls wait until the converter has taken its step: a listener may use the converter, whose core must not be
+ * given an input while it says what follows from another.
  *
- * <p>Threading: thread-safe; notifying never waits. When {@value #MOST_WAITING} calls wait, further ones are lost,
- * which is logged.
+ * <p>Threading: thread-safe; notifying never waits. When {@value #MOST_WAITING} calls wait for the thread, further ones
+ * are lost, which is logged.
  */
 final class Listeners {
     private static final Logger LOG = LoggerFactory.getLogger(SystemEventConverter.class);
@@ -36,9 +39,15 @@ final class Listeners {
 
     private final LoopConfig config;
     private final FailureLog failures;
-    private final List<ConverterListener> all = new CopyOnWriteArrayList<>();
-    private final LinkedBlockingQueue<Consumer<ConverterListener>> waiting = new LinkedBlockingQueue<>(MOST_WAITING);
-    private volatile @Nullable Thread thread;
+
+    /** Replaced as a whole, so that a notice can keep those that were there when it was made. */
+    private volatile List<ConverterListener> all = List.of();
+
+    /** The calls that wait, with their thread; null if there is no listener. */
+    private volatile @Nullable Calls calls;
+
+    /** Whether a thread is delivering calls in a converter without threads. */
+    private final AtomicBoolean delivering = new AtomicBoolean();
 
     /** The conversion time of the occurrence in progress; guarded by the lock of the {@link CoreDriver}. */
     private long waitedNanos = NOT_CONVERTED;
@@ -51,54 +60,89 @@ final class Listeners {
         this.failures = failures;
     }
 
-    synchronized void add(ConverterListener listener) {
-        all.add(listener);
-        if (config.threads() && thread == null) {
-            Thread notifier = OwnedThread.of(this, "mapek-" + config.name() + "-listeners", this::run);
-            thread = notifier;
-            notifier.start();
+    /** A call of {@code to}, the listeners when it was made. */
+    private record Notice(List<ConverterListener> to, Consumer<ConverterListener> what) {
+        static final Notice LAST = new Notice(List.of(), listener -> {});
+
+        /** Whether the thread ends, since there is nobody to call. */
+        boolean isLast() {
+            return to.isEmpty();
         }
+    }
+
+    /** Calls that wait, and the thread that makes them, if there are threads. */
+    private final class Calls {
+        final LinkedBlockingQueue<Notice> waiting =
+                new LinkedBlockingQueue<>(config.threads() ? MOST_WAITING : Integer.MAX_VALUE);
+        final Thread thread = OwnedThread.of(Listeners.this, "mapek-" + config.name() + "-listeners", this::run);
+
+        private void run() {
+            try {
+                for (Notice next = take(); !next.isLast(); next = take()) {
+                    call(next);
+                    losing = false;
+                }
+            } catch (InterruptedException stop) {
+                // A listener did not return in time when the converter was closed.
+            }
+        }
+
+        private Notice take() throws InterruptedException {
+            if (waiting.isEmpty() && !closed) {
+                LockSupport.parkNanos(this, DOZE_NANOS);
+            }
+            Notice next = closed ? waiting.poll() : waiting.take();
+            return next == null ? Notice.LAST : next;
+        }
+
+        /** Ends the thread after the calls that wait. */
+        void end() {
+            // If there is no room, the thread is not waiting for a call.
+            waiting.offer(Notice.LAST);
+        }
+    }
+
+    synchronized void add(ConverterListener listener) {
+        List<ConverterListener> more = new ArrayList<>(all);
+        more.add(listener);
+        if (calls == null) {
+            Calls begun = new Calls();
+            calls = begun;
+            if (config.threads()) {
+                begun.thread.start();
+            }
+        }
+        all = List.copyOf(more);
     }
 
     /** The thread ends when the last one is removed. */
     synchronized void remove(ConverterListener listener) {
-        all.remove(listener);
-        Thread notifier = thread;
-        if (all.isEmpty() && notifier != null) {
-            thread = null;
-            waiting.clear();
-            if (notifier != Thread.currentThread()) {
-                notifier.interrupt();
+        List<ConverterListener> fewer = new ArrayList<>(all);
+        fewer.remove(listener);
+        all = List.copyOf(fewer);
+        Calls ending = calls;
+        if (fewer.isEmpty() && ending != null) {
+            calls = null;
+            // A call in progress completes; the others are for nobody.
+            ending.waiting.clear();
+            ending.end();
+        }
+    }
+
+    private void call(Notice notice) {
+        for (ConverterListener listener : notice.to()) {
+            if (all.contains(listener)) {
+                call(listener, notice.what());
             }
         }
     }
 
-    private void run() {
+    private void call(ConverterListener listener, Consumer<ConverterListener> what) {
         try {
-            while (!closed && thread == Thread.currentThread()) {
-                if (waiting.isEmpty()) {
-                    LockSupport.parkNanos(this, DOZE_NANOS);
-                }
-                call(waiting.take());
-                losing = false;
-            }
-        } catch (InterruptedException stop) {
-            // The converter was closed, or there are no listeners any more.
-        }
-        // What happened before is still reported.
-        for (Consumer<ConverterListener> last = closed ? waiting.poll() : null; last != null; last = waiting.poll()) {
-            call(last);
-        }
-    }
-
-    private void call(Consumer<ConverterListener> what) {
-        for (ConverterListener listener : all) {
-            try {
-                what.accept(listener);
-            } catch (Throwable cause) {
-                String name = nameOf(listener);
-                failures.fault("listener " + name, new Failure<>(name, "listener", 0, null, cause));
-            }
+            what.accept(listener);
+        } catch (Throwable cause) {
+            String name = nameOf(listener);
+            failures.note("listener " + name, new Failure<>(name, "listener", 0, null, cause));
         }
     }
 
@@ -108,12 +152,37 @@ final class Listeners {
     }
 
     private void enqueue(Consumer<ConverterListener> what) {
-        if (!config.threads()) {
-            call(what);
-        } else if (!waiting.offer(what) && !losing) {
+        Calls present = calls;
+        if (present != null && !present.waiting.offer(new Notice(all, what)) && !losing) {
             losing = true;
             LOG.warn("the listeners of {} are slower than its events; some notices are lost", config.name());
         }
+    }
+
+    /**
+     * Makes the calls that wait, in a converter without threads, on the caller's thread: after a step, and not while
+     * another call is made.
+     */
+    void deliver() {
+        while (!config.threads() && hasCalls() && delivering.compareAndSet(false, true)) {
+            try {
+                for (Notice next = poll(); next != null; next = poll()) {
+                    call(next);
+                }
+            } finally {
+                delivering.set(false);
+            }
+        }
+    }
+
+    private boolean hasCalls() {
+        Calls present = calls;
+        return present != null && !present.waiting.isEmpty();
+    }
+
+    private @Nullable Notice poll() {
+        Calls present = calls;
+        return present == null ? null : present.waiting.poll();
     }
 
     /** The listeners learn of it when the occurrence ends: waking their thread now would delay the command. */
@@ -166,19 +235,19 @@ final class Listeners {
 
     /** Makes the waiting calls and ends the thread. Idempotent; a listener must not call it. */
     void close() {
-        Thread notifier;
-        synchronized (this) {
-            notifier = thread;
-        }
+        deliver();
         closed = true;
-        if (notifier != null) {
-            notifier.interrupt();
-            if (!Threads.join(notifier, config.joinLimit())) {
-                LOG.warn(
-                        "thread {} did not end within {} ms; a listener does not return",
-                        notifier.getName(),
-                        config.joinLimit().toMillis());
-            }
+        Calls ending = calls;
+        if (ending == null || !config.threads()) {
+            return;
+        }
+        ending.end();
+        if (!Threads.join(ending.thread, config.joinLimit())) {
+            ending.thread.interrupt();
+            LOG.warn(
+                    "thread {} did not end within {} ms; a listener does not return",
+                    ending.thread.getName(),
+                    config.joinLimit().toMillis());
         }
     }
 }

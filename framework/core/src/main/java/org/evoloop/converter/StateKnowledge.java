@@ -242,6 +242,21 @@ public class StateKnowledge extends Knowledge {
         return all;
     }
 
+    /**
+     * The state of this name in which the device says that it is.
+     *
+     * @throws IllegalStateException if its model does not have it; the message lists the most similar names
+     */
+    final State located(String name) {
+        State state = new State(name);
+        if (!pair.original().hasState(state)) {
+            throw new IllegalStateException("the device says that it is in " + state
+                    + ", which is not a state of its model"
+                    + Names.hint(name, pair.original().states()));
+        }
+        return state;
+    }
+
     /** Both models. */
     public final ModelPair models() {
         return pair;

@@ -69,7 +69,8 @@ public final class SystemEventConverter implements AutoCloseable {
         this.belongings = new Belongings(config.name());
         this.failures = new FailureLog(config);
         this.listeners = new Listeners(config, failures);
-        this.changes = new ChangeLock(config.name(), this::isComponent, this::ownsCurrentThread);
+        failures.tell(listeners::failed);
+        this.changes = new ChangeLock(config.name(), this::isComponent, this::ownsCurrentThread, listeners::deliver);
         this.stopping = new Stopping(config.name());
         this.crewing = new Crewing(belongings);
         this.evolver = new Evolver(config, changes, belongings, crewing::present);
@@ -132,7 +133,7 @@ public final class SystemEventConverter implements AutoCloseable {
 
     /** Notifies {@code listener} of what this converter does from now on. */
     public void addListener(ConverterListener listener) {
-        listeners.add(listener);
+        listeners.add(requireNonNull(listener, "the listener is null"));
     }
 
     /** Stops notifying {@code listener}; a call in progress still completes. Does nothing if it was not added. */
@@ -404,9 +405,15 @@ public final class SystemEventConverter implements AutoCloseable {
         return Optional.ofNullable(evolver.shadow());
     }
 
-    /** Queues an occurrence as if a monitor had reported it; false if it was refused or dropped. */
+    /**
+     * Queues an occurrence as if a monitor had reported it; false if it was refused or dropped.
+     *
+     * @throws IllegalArgumentException if its time is in the future of this converter's {@link #clock}
+     */
     public boolean offer(Occurrence occurrence) {
-        return built().loop.offer(occurrence);
+        boolean taken = built().loop.offer(occurrence);
+        listeners.deliver();
+        return taken;
     }
 
     /**
@@ -417,11 +424,13 @@ public final class SystemEventConverter implements AutoCloseable {
      */
     public void observe(EventMonitor monitor) throws InterruptedException {
         built().loop.observe(monitor);
+        listeners.deliver();
     }
 
     /** The step of a converter without threads: converts one event that waits; false if none does. */
     public boolean step() {
         boolean stepped = built().loop.step();
+        listeners.deliver();
         evolver.stepped();
         return stepped;
     }

@@ -16,6 +16,7 @@ import org.evoloop.loop.Failure;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.MapeLoop;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
@@ -58,18 +59,28 @@ final class Visits implements VisitHost {
         loop = joined;
     }
 
-    /** Begins a visit, unless another has already followed it. */
-    synchronized void enter(Output.Enter enter) {
+    /**
+     * Begins a visit, unless another has already followed it.
+     *
+     * @param carried the values of the event with which the state is entered; null if it is entered again
+     */
+    synchronized void enter(Output.Enter enter, @Nullable Values carried) {
         Visit before = current;
         if (before != null && before.number() >= enter.visit()) {
             return;
         }
-        HostedVisit entered = new HostedVisit(enter.state(), enter.visit(), this);
+        Values values = carried == null ? valuesBefore(enter.state()) : carried;
+        HostedVisit entered = new HostedVisit(enter.state(), enter.visit(), values, this);
         functions.begin(entered);
         current = entered;
         Transition by = enter.by();
         function = by == null ? NewFunction.none() : knowledge.get().action(by);
         set(Map.of(), enter.deadlines(), entered);
+    }
+
+    private Values valuesBefore(State again) {
+        Visit before = current;
+        return before != null && before.state().equals(again) ? before.values() : Values.NONE;
     }
 
     /** Continues the current visit and its function in a state of other models. */
@@ -97,7 +108,7 @@ final class Visits implements VisitHost {
     }
 
     private void fire(Visit visit, Event event) {
-        offer(raised(visit, event, Source.TIMER));
+        offer(raised(visit, event, Values.NONE, Source.TIMER));
     }
 
     /**
@@ -184,14 +195,13 @@ final class Visits implements VisitHost {
     }
 
     @Override
-    public void raise(Visit raising, Event event) throws InterruptedException {
-        put(raised(raising, event, Source.FUNCTION));
+    public void raise(Visit raising, Event event, Values values) throws InterruptedException {
+        put(raised(raising, event, values, Source.FUNCTION));
     }
 
     @Override
-    public void send(Visit asking, Event event) throws InterruptedException {
-        put(new Occurrence.Asked(
-                event, Values.NONE, asking.number(), config.clock().nanoTime()));
+    public void send(Visit asking, Event event, Values values) throws InterruptedException {
+        put(new Occurrence.Asked(event, values, asking.number(), config.clock().nanoTime()));
     }
 
     private void put(Occurrence occurrence) throws InterruptedException {
@@ -209,13 +219,13 @@ final class Visits implements VisitHost {
     }
 
     @Override
-    public void finish(Visit finishing, Event event) {
-        offer(raised(finishing, event, Source.FUNCTION));
+    public void finish(Visit finishing, Event event, Values values) {
+        offer(raised(finishing, event, values, Source.FUNCTION));
     }
 
-    private Occurrence raised(Visit raising, Event event, Source source) {
+    private Occurrence raised(Visit raising, Event event, Values values, Source source) {
         return new Occurrence.Heard(
-                event, Values.NONE, source, raising.number(), config.clock().nanoTime());
+                event, values, source, raising.number(), config.clock().nanoTime());
     }
 
     @Override

@@ -3,6 +3,7 @@ package org.evoloop.evolution;
 import java.util.Collections;
 import java.util.Map;
 import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The values that an event carries, such as a temperature or a time of day: strings, numbers and booleans by name.
@@ -50,23 +51,24 @@ public record Values(Map<String, Object> byName) {
         }
     }
 
-    private static Object plain(String name, Object value) {
+    private static Object plain(String name, @Nullable Object value) {
         if (value instanceof Number number) {
             return number.doubleValue();
         }
         if (value instanceof String || value instanceof Boolean) {
             return value;
         }
-        throw new IllegalArgumentException("the value " + name + " is a "
-                + value.getClass().getSimpleName() + "; allowed are texts, numbers and true or false");
+        throw new IllegalArgumentException("the value " + name + " is "
+                + (value == null ? "null" : "a " + value.getClass().getSimpleName())
+                + "; allowed are texts, numbers and true or false");
     }
 
     /** One value. @throws IllegalArgumentException if it is neither a string, a number nor a boolean */
     public static Values of(String name, Object value) {
-        return new Values(Map.of(name, value));
+        return NONE.with(name, value);
     }
 
-    /** A copy with this value added or replaced. */
+    /** A copy with this value added or replaced. @throws IllegalArgumentException as the constructor */
     public Values with(String name, Object value) {
         TreeMap<String, Object> more = new TreeMap<>(byName);
         more.put(name, value);

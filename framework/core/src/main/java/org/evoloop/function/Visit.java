@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.time.LocalTime;
 import java.time.ZoneId;
 import java.util.List;
+import org.evoloop.evolution.Values;
 import org.evoloop.statemachine.State;
 import org.evoloop.time.Clock;
 import org.evoloop.time.TimesOfDay;
@@ -12,7 +13,8 @@ import org.evoloop.time.TimesOfDay;
  * One visit of the evolved system to a state. Everything that belongs to a visit ends with it: its function, its
  * timers, and events that it raised and that have not been handled yet.
  *
- * <p>Threading: all methods may be called from any thread.
+ * <p>Threading: all methods may be called from any thread. Only the thread of the function and that of its tasks are
+ * interrupted when the state is left; on any other, {@link #sleep}, {@link #raise} and {@link #send} wait on.
  *
  * @since 0.1
  */
@@ -22,6 +24,12 @@ public interface Visit {
 
     /** The number of the visit; no two are equal. */
     long number();
+
+    /**
+     * The values of the event with which the state was entered, also when it is entered again after it could not be
+     * left, or after a stop; none after the program was restarted, and where the decisions of a fleet are carried out.
+     */
+    Values values();
 
     /** The converter's clock, by which all durations of a function are measured. */
     Clock clock();
@@ -55,21 +63,32 @@ public interface Visit {
      */
     boolean accepts(String event);
 
-    /**
-     * Raises {@code event} and continues; nothing happens if the state has been left.
-     *
-     * @throws InterruptedException if the state is left while this waits for room in the queue
-     */
-    void raise(String event) throws InterruptedException;
+    /** As {@link #raise(String, Values)}, without values. */
+    default void raise(String event) throws InterruptedException {
+        raise(event, Values.NONE);
+    }
 
     /**
-     * Sends {@code event} to the device and continues: the event waits for its turn like all others, and the new model
-     * stays in this state. The device's model must have a transition for it in the state of the device at that time.
-     * The history shows the outcome. Nothing happens if the state has been left, or is left first.
+     * Raises {@code event} with {@code values} and continues; nothing happens if the state has been left.
      *
      * @throws InterruptedException if the state is left while this waits for room in the queue
      */
-    void send(String event) throws InterruptedException;
+    void raise(String event, Values values) throws InterruptedException;
+
+    /** As {@link #send(String, Values)}, without values. */
+    default void send(String event) throws InterruptedException {
+        send(event, Values.NONE);
+    }
+
+    /**
+     * Sends {@code event} with {@code values} to the device and continues: the event waits for its turn like all
+     * others, and the new model stays in this state. The device's model must have a transition for it in the state of
+     * the device at that time. The history shows the outcome. Nothing happens if the state has been left, or is left
+     * first.
+     *
+     * @throws InterruptedException if the state is left while this waits for room in the queue
+     */
+    void send(String event, Values values) throws InterruptedException;
 
     /** Reports the function's progress in a few words: as {@link #progress(String, List)}, without readings. */
     default void progress(String text) {
@@ -91,11 +110,16 @@ public interface Visit {
     /** The last reported readings. */
     List<Reading> readings();
 
+    /** As {@link #finish(String, Values)}, without values. */
+    default void finish(String event) {
+        finish(event, Values.NONE);
+    }
+
     /**
-     * Ends the function with {@code event}, which is raised when {@link NewFunction#run} has returned. Only the first
-     * call counts, and none after the state has been left.
+     * Ends the function with {@code event} and its {@code values}, which is raised when {@link NewFunction#run} has
+     * returned. Only the first call counts, and none after the state has been left.
      */
-    void finish(String event);
+    void finish(String event, Values values);
 
     /**
      * Ends the function with {@code event} after {@code delay}, unless the state is left or it has finished before.

@@ -5,10 +5,15 @@ import static org.evoloop.converter.Robot.at;
 
 import java.time.LocalTime;
 import java.time.ZoneOffset;
+import java.util.List;
 import org.evoloop.core.Outcome;
+import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.function.NewFunction;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.Transition;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
@@ -102,6 +107,56 @@ class ChildLockTest {
             assertThat(player.sent).containsExactly("play");
             assertThat(player.last().outcome()).isEqualTo(Outcome.FAILED);
             assertThat(player.states()).isEqualTo(at("Playing", "Playing"));
+        }
+    }
+
+    @Test
+    void aLockOnEverythingDoesNotKeepTheDeviceFromBeingAskedWhereItIs() {
+        EventAnalyze lock = new EventAnalyze() {
+            private boolean locked;
+
+            @Override
+            protected @Nullable Analysis analyze(Occurrence occurrence) {
+                boolean refused = locked;
+                locked = true;
+                return refused ? refuse(occurrence, "locked") : super.analyze(occurrence);
+            }
+        };
+        try (Player player = new Player(NewFunction.none(), lock)) {
+            player.device.canBeAsked = true;
+            player.after = () -> {
+                throw new UnknownEffectException("play was not answered");
+            };
+            player.press("play");
+            player.press("stop");
+            player.settle();
+            assertThat(player.outcomes()).containsExactly("play FAILED", "in doubt HANDLED", "stop IGNORED");
+            assertThat(player.doubt()).isEmpty();
+            assertThat(player.states()).isEqualTo(at("Playing", "Playing"));
+        }
+    }
+
+    @Test
+    void aDecisionThatLeadsToAStateThatDoesNotExistFails() {
+        EventAnalyze inventive = new EventAnalyze() {
+            @Override
+            protected Analysis analyze(Occurrence occurrence) {
+                Configuration here = configuration();
+                State nowhere = new State("Plaing");
+                Transition invented = new Transition(here.evolved(), new Event("play"), nowhere);
+                return new Analysis(
+                        occurrence,
+                        new Decision.NewState(here, here.withEvolved(nowhere), List.of(), invented, List.of()));
+            }
+        };
+        try (Player player = new Player(NewFunction.none(), inventive)) {
+            player.press("play");
+            player.settle();
+            assertThat(player.last().outcome()).isEqualTo(Outcome.FAILED);
+            assertThat(player.last().detail())
+                    .contains("the plan leads to Plaing, which is not a state of the new model")
+                    .contains("Playing");
+            assertThat(player.states()).isEqualTo(at("Stopped", "Stopped"));
         }
     }
 }

@@ -9,9 +9,11 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Values;
 import org.evoloop.function.NewFunction;
 import org.evoloop.function.Reading;
+import org.evoloop.loop.Failure;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -117,6 +119,60 @@ class FunctionRequestsTest {
     }
 
     @Test
+    void aDeviceThatIsNotReadyKnowsTheValuesOfTheEventToCome() {
+        try (Player player = new Player(NewFunction.none())) {
+            List<Values> seen = new ArrayList<>();
+            player.device.awaitReady = () -> seen.add(player.device.values());
+            player.buttons.press("play", Values.of("volume", 7));
+            player.observe();
+            player.press("stop");
+            player.settle();
+            assertThat(seen).containsExactly(Values.of("volume", 7), Values.NONE);
+        }
+    }
+
+    @Test
+    void whatAnEventCarriesReachesTheFunctionAndFromThereTheDevice() {
+        try (Player player = new Player(visit -> {
+            visit.send("pause", visit.values());
+            visit.finish("faded", Values.of("seconds", 3));
+        })) {
+            player.press("play");
+            player.buttons.press("fade", Values.of("volume", 7));
+            player.observe();
+            player.settle();
+            assertThat(player.sent).containsExactly("play", "pause volume=7.0", "stop seconds=3.0");
+        }
+    }
+
+    @Test
+    void aFunctionThatStartsAgainHasTheValuesOfTheEventThatLedToItsState() {
+        List<Values> seen = new ArrayList<>();
+        try (Player player = new Player(visit -> seen.add(visit.values()))) {
+            player.press("play");
+            player.buttons.press("fade", Values.of("volume", 7));
+            player.observe();
+            player.settle();
+            player.before = () -> {
+                throw new IllegalStateException("the cable is out");
+            };
+            player.buttons.press("stop", Values.of("volume", 1));
+            player.observe();
+            player.settle();
+            player.before = () -> {};
+            player.converter.stop();
+            player.converter.start();
+            assertThat(seen).hasSize(3).containsOnly(Values.of("volume", 7));
+
+            player.press("stop");
+            player.press("play");
+            player.press("fade");
+            player.settle();
+            assertThat(seen).hasSize(4).last().isEqualTo(Values.NONE);
+        }
+    }
+
+    @Test
     void listenersHearInOrderWhatHappens() {
         List<String> heard = new ArrayList<>();
         try (Player player = new Player(NewFunction.none())) {
@@ -142,5 +198,30 @@ class FunctionRequestsTest {
                         "(Playing, Stopped) to (Playing, Playing)",
                         "play HANDLED",
                         "faded IGNORED");
+    }
+
+    @Test
+    void listenersHearOfAFunctionAndATaskThatFail() {
+        List<String> heard = new ArrayList<>();
+        try (Player player = new Player(visit -> {
+            visit.after(Duration.ofSeconds(1), () -> {
+                throw new IllegalStateException("no sound");
+            });
+            throw new IllegalStateException("no volume");
+        })) {
+            player.converter.addListener(new ConverterListener() {
+                @Override
+                public void failed(Failure<Occurrence> failure) {
+                    heard.add(failure.toString());
+                    throw new IllegalStateException("and the listener fails, too");
+                }
+            });
+            player.press("play");
+            player.press("fade");
+            player.settle();
+            player.clock.advance(Duration.ofSeconds(1));
+            player.settle();
+        }
+        assertThat(heard).containsExactly("Fading.function: no volume", "Fading.function: no sound");
     }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.evoloop.converter.Robot.at;
 
 import org.evoloop.function.NewFunction;
+import org.evoloop.statemachine.State;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -94,5 +95,22 @@ class InDoubtTest {
         player.settle();
         assertThat(player.doubt()).isEmpty();
         assertThat(player.states()).isEqualTo(at("Stopped", "Stopped"));
+    }
+
+    @Test
+    void aDeviceThatNamesAStateItsModelDoesNotHaveIsReportedAsFaulty() {
+        player.device.canBeAsked = true;
+        player.after = () -> {
+            player.after = () -> {};
+            player.state = new State("Playin");
+            throw new UnknownEffectException("play was not answered within 2 s");
+        };
+        player.press("play");
+        player.settle();
+        assertThat(player.last().detail())
+                .contains("the device says that it is in Playin, which is not a state of its model")
+                .contains("Playing");
+        assertThat(player.outcomes()).containsExactly("play FAILED", "in doubt FAILED");
+        assertThat(player.doubt()).isNotEmpty();
     }
 }

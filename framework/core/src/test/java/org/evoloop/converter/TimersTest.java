@@ -1,6 +1,7 @@
 package org.evoloop.converter;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.evoloop.converter.LiveRobot.await;
 import static org.evoloop.converter.LiveRobot.awaitDeaf;
 import static org.evoloop.converter.LiveRobot.until;
@@ -14,8 +15,11 @@ import org.evoloop.RecordingExecute;
 import org.evoloop.core.Outcome;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Source;
+import org.evoloop.evolution.Values;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
@@ -178,5 +182,24 @@ class TimersTest {
             assertThat(converter.history()).isNotEmpty();
         }
         assertThat(converter.knowledge().configuration()).isEqualTo(at(original, evolved));
+    }
+
+    @Test
+    void anOccurrenceFromTheFutureIsRefusedSoThatTimersAreNotLate() throws InterruptedException {
+        try (Robot robot = new Robot()) {
+            Occurrence early = new Occurrence.Heard(
+                    new Event("Clean"),
+                    Values.NONE,
+                    Source.CONTROLLER,
+                    Occurrence.ANY_VISIT,
+                    Duration.ofHours(16).toNanos());
+            assertThatThrownBy(() -> robot.converter.offer(early))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessageContaining("observed 57600000 ms in the future");
+            robot.controller("Clean").controller("Clean").controller("Clean");
+            assertThat(robot.states().evolved()).hasToString("SpotWait");
+            robot.pass(Duration.ofSeconds(5));
+            assertThat(robot.last().occurrence().label()).isEqualTo("timeout");
+        }
     }
 }

@@ -33,4 +33,12 @@ class ValuesTest {
                 .hasMessageContaining("at most 16384");
         assertThatThrownBy(() -> Values.of(text + "xx", 1)).isInstanceOf(IllegalArgumentException.class);
     }
+
+    @Test
+    @SuppressWarnings("NullAway")
+    void nullIsNoValue() {
+        assertThatThrownBy(() -> Values.of("t", null))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("the value t is null; allowed are texts, numbers and true or false");
+    }
 }

@@ -10,6 +10,7 @@ import java.util.Deque;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import org.evoloop.evolution.Values;
 import org.evoloop.function.NewFunction;
 import org.evoloop.function.Reading;
 import org.evoloop.function.Visit;
@@ -29,6 +30,7 @@ public final class HostedVisit implements Visit {
 
     private volatile State state;
     private final long number;
+    private final Values values;
     private final VisitHost host;
     private final Object lock = new Object();
     private volatile boolean ended;
@@ -37,6 +39,9 @@ public final class HostedVisit implements Visit {
     private record Said(String text, List<Reading> readings) {
         static final Said NOTHING = new Said("", List.of());
     }
+
+    /** The event with which the function ends. */
+    private record Last(Event event, Values values) {}
 
     /** A scheduled task; can be cancelled until its time has come. */
     private final class Appointment implements Runnable {
@@ -67,13 +72,17 @@ public final class HostedVisit implements Visit {
     private @Nullable VisitTasks tasks;
     private @Nullable Deque<Runnable> endings;
     private boolean running;
-    private @Nullable Event last;
+    private @Nullable Last last;
     private boolean finished;
 
-    /** @param number counts the visits of all states, from 1 */
-    public HostedVisit(State state, long number, VisitHost host) {
+    /**
+     * @param number counts the visits of all states, from 1
+     * @param values those of the event with which the state was entered
+     */
+    public HostedVisit(State state, long number, Values values, VisitHost host) {
         this.state = state;
         this.number = number;
+        this.values = values;
         this.host = host;
     }
 
@@ -90,6 +99,11 @@ public final class HostedVisit implements Visit {
     @Override
     public long number() {
         return number;
+    }
+
+    @Override
+    public Values values() {
+        return values;
     }
 
     @Override
@@ -136,16 +150,16 @@ public final class HostedVisit implements Visit {
     }
 
     @Override
-    public void raise(String event) throws InterruptedException {
+    public void raise(String event, Values carried) throws InterruptedException {
         if (isActive()) {
-            host.raise(this, new Event(event));
+            host.raise(this, new Event(event), requireNonNull(carried, "the values are null"));
         }
     }
 
     @Override
-    public void send(String event) throws InterruptedException {
+    public void send(String event, Values carried) throws InterruptedException {
         if (isActive()) {
-            host.send(this, new Event(event));
+            host.send(this, new Event(event), requireNonNull(carried, "the values are null"));
         }
     }
 
@@ -165,13 +179,14 @@ public final class HostedVisit implements Visit {
     }
 
     @Override
-    public void finish(String event) {
+    public void finish(String event, Values carried) {
+        Last ending = new Last(new Event(event), requireNonNull(carried, "the values are null"));
         synchronized (lock) {
             if (finished || !isActive()) {
                 return;
             }
             finished = true;
-            last = new Event(event);
+            last = ending;
             if (running) {
                 return;
             }
@@ -295,15 +310,15 @@ public final class HostedVisit implements Visit {
     }
 
     private void deliverLast() {
-        Event event;
+        Last ending;
         synchronized (lock) {
-            event = last;
+            ending = last;
             last = null;
         }
-        if (event != null && isActive()) {
-            host.notice("***  Send " + event + " event to EventConverter.  ***  ");
+        if (ending != null && isActive()) {
+            host.notice("***  Send " + ending.event() + " event to EventConverter.  ***  ");
             host.notice("***  Stop new functions  ***");
-            host.finish(this, event);
+            host.finish(this, ending.event(), ending.values());
         }
     }
 

@@ -1,5 +1,6 @@
 package org.evoloop.function.visit;
 
+import org.evoloop.evolution.Values;
 import org.evoloop.function.Visit;
 import org.evoloop.statemachine.Event;
 import org.evoloop.time.Clock;
@@ -32,20 +33,20 @@ public interface VisitHost {
      *
      * @throws InterruptedException if the thread is interrupted while it waits
      */
-    void raise(Visit visit, Event event) throws InterruptedException;
+    void raise(Visit visit, Event event, Values values) throws InterruptedException;
 
     /**
      * Queues an event to be sent to the device; waits while the queue is full.
      *
      * @throws InterruptedException if the thread is interrupted while it waits
      */
-    void send(Visit visit, Event event) throws InterruptedException;
+    void send(Visit visit, Event event, Values values) throws InterruptedException;
 
     /**
      * Queues the last event of a visit even if the queue is full: it comes only once, possibly on the clock's thread,
      * which must not wait.
      */
-    void finish(Visit visit, Event event);
+    void finish(Visit visit, Event event, Values values);
 
     /** Writes a line into the transcript. */
     void notice(String line);

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
+import org.evoloop.evolution.Values;
 import org.evoloop.function.Visit;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
@@ -33,7 +34,7 @@ class FunctionRunnerTest {
         }
 
         @Override
-        public void send(Visit visit, Event event) {
+        public void send(Visit visit, Event event, Values values) {
             throw new AssertionError(visit + " asks for " + event);
         }
 
@@ -41,10 +42,10 @@ class FunctionRunnerTest {
         public void requireKnown(Event event) {}
 
         @Override
-        public void raise(Visit visit, Event event) {}
+        public void raise(Visit visit, Event event, Values values) {}
 
         @Override
-        public void finish(Visit visit, Event event) {}
+        public void finish(Visit visit, Event event, Values values) {}
 
         @Override
         public void notice(String line) {}
@@ -61,7 +62,7 @@ class FunctionRunnerTest {
         CountDownLatch started = new CountDownLatch(1);
         AtomicBoolean cleanedUp = new AtomicBoolean();
         AtomicBoolean over = new AtomicBoolean();
-        runner.begin(new HostedVisit(new State("Move"), 1, host));
+        runner.begin(new HostedVisit(new State("Move"), 1, Values.NONE, host));
         runner.run(visit -> {
             started.countDown();
             try {

@@ -7,6 +7,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import org.evoloop.evolution.Values;
 import org.evoloop.function.Visit;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
@@ -29,7 +30,7 @@ public final class VisitLog implements VisitHost {
     }
 
     public HostedVisit visit() {
-        return new HostedVisit(new State("Move"), ++visits, this);
+        return new HostedVisit(new State("Move"), ++visits, Values.NONE, this);
     }
 
     @Override
@@ -48,7 +49,7 @@ public final class VisitLog implements VisitHost {
     }
 
     @Override
-    public void send(Visit visit, Event event) {
+    public void send(Visit visit, Event event, Values values) {
         throw new AssertionError(visit + " asks for " + event);
     }
 
@@ -58,12 +59,12 @@ public final class VisitLog implements VisitHost {
     }
 
     @Override
-    public void raise(Visit visit, Event event) throws InterruptedException {
+    public void raise(Visit visit, Event event, Values values) throws InterruptedException {
         events.put("raised " + event);
     }
 
     @Override
-    public void finish(Visit visit, Event event) {
+    public void finish(Visit visit, Event event, Values values) {
         events.add("finished " + event);
     }
 
