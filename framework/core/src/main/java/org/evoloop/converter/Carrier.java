@@ -23,6 +23,7 @@ final class Carrier {
     private final Visits visits;
     private final CurrentKnowledge knowledge;
     private final Books books;
+    private final Unsettled unsettled;
     private volatile List<EventExecute> executes = List.of();
 
     /** The loop's execute components, in the order in which they are tried. */
@@ -31,9 +32,19 @@ final class Carrier {
     /** Whether the execute component that returned last left a directive for another one. */
     private volatile boolean handedBack;
 
+    /** The execute component that settled first; null if none has and others still have to. */
+    private volatile @Nullable EventExecute settledFirst;
+
     private volatile String runningEffect = "";
 
-    Carrier(CoreDriver driver, Visits visits, CurrentKnowledge knowledge, Books books) {
+    /** Takes the failures of {@code settled} that do not end the turn, since others follow. */
+    interface Unsettled {
+        void failed(EventExecute execute, Exception cause);
+    }
+
+    /** @param unsettled reports what fails while others still have to settle */
+    Carrier(CoreDriver driver, Visits visits, CurrentKnowledge knowledge, Books books, Unsettled unsettled) {
+        this.unsettled = unsettled;
         this.driver = driver;
         this.visits = visits;
         this.knowledge = knowledge;
@@ -61,12 +72,16 @@ final class Carrier {
     Execute<ChangePlan> next(ChangePlan plan, List<Execute<ChangePlan>> inOrder, @Nullable Execute<ChangePlan> last) {
         senders = inOrder;
         if (last == null) {
+            settledFirst = null;
             return senderOf(firstToSend(plan), inOrder);
         }
         // Only what was handed back is left to do, and looking takes a lock.
         Output.Directive directive = handedBack ? driver.toDo(plan) : null;
         if (directive instanceof Output.Send send) {
             return senderOf(send.step().trigger(), inOrder);
+        }
+        if (directive instanceof Output.Settle && last instanceof EventExecute settled) {
+            return settlesAfter(settled);
         }
         return directive == null ? null : inOrder.get(inOrder.indexOf(last) + 1);
     }
@@ -100,7 +115,7 @@ final class Carrier {
         Agenda agenda = driver.takeUp(plan);
         handedBack = false;
         long number = agenda.turn();
-        Exception unsettled = null;
+        Exception notSettled = null;
         for (Output.Directive next = agenda.poll(); next != null; next = agenda.poll()) {
             if (next instanceof Output.Send send) {
                 if (!canSend(send.step(), execute)) {
@@ -120,19 +135,45 @@ final class Carrier {
                 driver.located(number, state);
             } else if (next instanceof Output.Settle settle) {
                 books.transcript().say();
-                try {
-                    execute.settled(settle.now());
-                } catch (Exception cause) {
-                    unsettled = cause;
+                notSettled = settle(execute, settle);
+                if (settlesAfter(execute) != null) {
+                    if (notSettled != null) {
+                        unsettled.failed(execute, notSettled);
+                    }
+                    handBack(agenda, next);
+                    return;
                 }
             } else {
                 visit(next, plan.decision().leavesState() ? plan.occurrence().values() : null);
             }
         }
         books.transcript().say();
-        if (unsettled != null) {
-            throw unsettled;
+        if (notSettled != null) {
+            throw notSettled;
         }
+    }
+
+    /** Returns what {@code execute} threw; null if it has settled. */
+    private @Nullable Exception settle(EventExecute execute, Output.Settle settle) {
+        settledFirst = settledFirst == null ? execute : settledFirst;
+        try {
+            execute.settled(settle.now());
+            return null;
+        } catch (Exception cause) {
+            return cause;
+        }
+    }
+
+    /** The component that has to settle after {@code last}: that which sent is the first, the others follow in order. */
+    private @Nullable EventExecute settlesAfter(EventExecute last) {
+        EventExecute first = settledFirst;
+        int from = last == first ? 0 : senders.indexOf(last) + 1;
+        for (int index = from; index < senders.size(); index++) {
+            if (senders.get(index) != first && senders.get(index) instanceof EventExecute next) {
+                return next;
+            }
+        }
+        return null;
     }
 
     private void handBack(Agenda agenda, Output.Directive directive) {

@@ -75,7 +75,8 @@ final class ConverterShell implements LoopListener<Occurrence> {
                 visits::leaving,
                 journal,
                 watchman);
-        this.carrier = new Carrier(driver, visits, knowledge, books);
+        this.carrier =
+                new Carrier(driver, visits, knowledge, books, (execute, cause) -> failed(execute, "settled", cause));
         this.loop = new MapeLoop<>(config, this, carrier::next, driver);
         visits.attach(loop);
         watchman.attach(driver, loop::offer);

@@ -7,10 +7,13 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.evoloop.core.Outcome;
+import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Step;
+import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.ManualClock;
@@ -48,7 +51,9 @@ class TwoDevicesTest {
     private final PushMonitor remote = new PushMonitor("Remote");
     private final SystemEventConverter converter = new SystemEventConverter(
             LoopConfig.defaults("door", new ManualClock()).withQueueCapacity(10));
+    private final List<String> settled = new CopyOnWriteArrayList<>();
     private volatile boolean jammed;
+    private volatile String unsettled = "";
 
     private final class Part extends EventExecute {
         private final Set<String> sendable;
@@ -61,6 +66,14 @@ class TwoDevicesTest {
         @Override
         protected Set<String> sendableEvents() {
             return sendable;
+        }
+
+        @Override
+        protected void settled(Configuration now) throws IOException {
+            settled.add(name() + " in " + now.original());
+            if (name().equals(unsettled)) {
+                throw new IOException(name() + " does not settle");
+            }
         }
 
         @Override
@@ -137,5 +150,28 @@ class TwoDevicesTest {
                 .extracting(HistoryEntry::detail)
                 .containsExactly("wake", "unlock", "open", "close", "lock");
         assertThat(converter.status().events()).isEqualTo(new ConverterStatus.EventCounts(5, 5, 0, 0));
+    }
+
+    @Test
+    void bothSettleAfterEachEventAlsoIfOneFailsToDoSo() {
+        press(remote, "wake");
+        LiveRobot.until(() -> settled.size() == 4);
+        unsettled = "Motor";
+        press(remote, "unlock");
+        LiveRobot.until(() -> settled.size() == 6);
+        assertThat(settled)
+                .containsExactly(
+                        "Motor in locked",
+                        "Lock in locked",
+                        "Motor in awake",
+                        "Lock in awake",
+                        "Lock in unlocked",
+                        "Motor in unlocked");
+        press(remote, "open");
+        LiveRobot.until(() -> settled.size() == 8);
+        assertThat(settled).endsWith("Motor in opened", "Lock in opened");
+        assertThat(converter.status().components())
+                .extracting(ComponentStatus::lastFailure)
+                .contains("Motor.settled: Motor does not settle");
     }
 }
