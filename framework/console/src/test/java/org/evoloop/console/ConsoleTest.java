@@ -316,16 +316,19 @@ class ConsoleTest {
     }
 
     @Test
-    void aRequestToEndWhileTheRunBeginsWaitsForWhatBegins() {
-        Console console = console(new PipedInputStream());
+    void aRequestToEndWhileTheRunBeginsWaitsForWhatBegins() throws Exception {
         List<LoopState> begun = new ArrayList<>();
-        console.onBegin(() -> {
-            console.end("SIGTERM", 0);
-            lamp.converter.start();
-            begun.add(lamp.converter.status().loop());
-        });
+        try (PipedOutputStream keyboard = new PipedOutputStream();
+                PipedInputStream pipe = new PipedInputStream(keyboard)) {
+            Console console = console(pipe);
+            console.onBegin(() -> {
+                console.end("SIGTERM", 0);
+                lamp.converter.start();
+                begun.add(lamp.converter.status().loop());
+            });
 
-        assertThat(console.run()).isZero();
+            assertThat(console.run()).isZero();
+        }
 
         assertThat(begun).containsExactly(LoopState.RUNNING);
         assertThat(err.text()).isEmpty();
