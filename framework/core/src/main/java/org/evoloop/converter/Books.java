@@ -46,7 +46,7 @@ record Books(
 
     /** The journal no longer records the converter's inputs. */
     void journalFailed(Exception cause) {
-        failures.count("journal", String.valueOf(cause.getMessage()));
+        failures.countFault("journal", String.valueOf(cause.getMessage()));
         failures.warn(cause.getMessage() + ". Until then controllers' events are refused and nothing is sent");
         listeners.failed(new Failure<>("journal", "write", 0, null, cause));
     }

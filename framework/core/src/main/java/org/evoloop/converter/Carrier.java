@@ -2,6 +2,7 @@ package org.evoloop.converter;
 
 import java.util.List;
 import java.util.Set;
+import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import org.evoloop.core.Output;
 import org.evoloop.evolution.Occurrence;
@@ -23,7 +24,7 @@ final class Carrier {
     private final Visits visits;
     private final CurrentKnowledge knowledge;
     private final Books books;
-    private final Unsettled unsettled;
+    private final BiConsumer<EventExecute, Exception> unsettled;
     private volatile List<EventExecute> executes = List.of();
 
     /** The loop's execute components, in the order in which they are tried. */
@@ -37,13 +38,13 @@ final class Carrier {
 
     private volatile String runningEffect = "";
 
-    /** Takes the failures of {@code settled} that do not end the turn, since others follow. */
-    interface Unsettled {
-        void failed(EventExecute execute, Exception cause);
-    }
-
-    /** @param unsettled reports what fails while others still have to settle */
-    Carrier(CoreDriver driver, Visits visits, CurrentKnowledge knowledge, Books books, Unsettled unsettled) {
+    /** @param unsettled reports components whose {@code settled} fails while others still have to settle */
+    Carrier(
+            CoreDriver driver,
+            Visits visits,
+            CurrentKnowledge knowledge,
+            Books books,
+            BiConsumer<EventExecute, Exception> unsettled) {
         this.unsettled = unsettled;
         this.driver = driver;
         this.visits = visits;
@@ -138,7 +139,7 @@ final class Carrier {
                 notSettled = settle(execute, settle);
                 if (settlesAfter(execute) != null) {
                     if (notSettled != null) {
-                        unsettled.failed(execute, notSettled);
+                        unsettled.accept(execute, notSettled);
                     }
                     handBack(agenda, next);
                     return;
@@ -164,7 +165,7 @@ final class Carrier {
         }
     }
 
-    /** The component that has to settle after {@code last}: that which sent is the first, the others follow in order. */
+    /** The component that settles after {@code last}: the one that sent comes first, the others follow in order. */
     private @Nullable EventExecute settlesAfter(EventExecute last) {
         EventExecute first = settledFirst;
         int from = last == first ? 0 : senders.indexOf(last) + 1;

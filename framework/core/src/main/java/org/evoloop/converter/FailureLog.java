@@ -62,7 +62,7 @@ final class FailureLog {
         }
     }
 
-    /** Has {@code told} hear of every {@link #fault}; it must return at once. */
+    /** From now on, {@code told} hears of every {@link #fault}; it must return at once. */
     void tell(Consumer<Failure<Occurrence>> told) {
         listener = told;
     }
@@ -76,14 +76,14 @@ final class FailureLog {
         listener.accept(failure);
     }
 
-    /** As {@link #fault}, but without telling: for failures that are told otherwise, and those of who would be told. */
+    /** As {@link #fault}, but tells nobody: for failures that are reported in another way, and those of listeners. */
     void note(String part, Failure<?> failure) {
-        count(part, failure.toString());
+        countFault(part, failure.toString());
         log(failure);
     }
 
     /** Only counts a failure of {@code part}. */
-    synchronized void count(String part, String message) {
+    synchronized void countFault(String part, String message) {
         if (faults.size() < DISTINCT || faults.containsKey(part)) {
             ConverterStatus.Fault before = faults.get(part);
             faults.put(part, new ConverterStatus.Fault(part, before == null ? 1 : before.failures() + 1, message));

@@ -30,9 +30,8 @@ import org.slf4j.LoggerFactory;
  * <p>Lifecycle: {@link #will} and {@link #subscribe}, then {@link #open}, which does not wait for the broker; {@link
  * #close}.
  *
- * <p>Threading: all methods may be called from any thread. Of them only {@link
- * #awaitRoom} and {@link #close} wait. Consumers are called on a
- * thread of the client, one at a time, and must be quick.
+ * <p>Threading: all methods may be called from any thread; only {@link #awaitRoom} and {@link #close} wait. Consumers
+ * are called on a thread of the client, one at a time, and must be quick.
  *
  * @since 0.1
  */
@@ -106,8 +105,8 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
     }
 
     /**
-     * Waits until the next messages will not make others be lost, or the connection is; for those who publish more than
-     * the broker takes.
+     * Waits until there is room for more messages without losing others, or until the connection is lost; for callers
+     * that publish faster than the broker takes messages.
      */
     public void awaitRoom() throws InterruptedException {
         outbox.awaitRoom(() -> isUp() && !closing);
