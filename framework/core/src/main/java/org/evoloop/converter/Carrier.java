@@ -239,9 +239,18 @@ final class Carrier {
 
     /** Carries out directives that belong to no occurrence, such as the beginning and end of visits. */
     void carryOut() {
+        carryOut(null);
+    }
+
+    /**
+     * Carries out what follows an occurrence whose plan was broken off.
+     *
+     * @param carried its values, if it has led out of the state; else null
+     */
+    void carryOut(@Nullable Values carried) {
         Agenda agenda = driver.agenda();
         for (Output.Directive next = agenda.poll(); next != null; next = agenda.poll()) {
-            visit(next, null);
+            visit(next, carried);
         }
         books.transcript().say();
     }

@@ -299,7 +299,7 @@ public final class EdgeShell implements AutoCloseable {
         }
 
         @Override
-        public boolean hasRoom() {
+        public boolean hasRoom(Occurrence occurrence) {
             return true;
         }
 

@@ -22,7 +22,8 @@ import org.jspecify.annotations.Nullable;
  * @param visit the visit of the current state
  * @param waiting the occurrences that wait for their turn, in order
  * @param losing whether anything has been lost since there was last room
- * @param followOwed whether facts were lost, so that the new model has to follow the device once the queue is empty
+ * @param followOwed whether the new model may have to follow the device once no fact waits any more, since the facts
+ *     alone do not lead it there
  * @param work the occurrence in progress; null if there is none
  * @param tally the number of occurrences and their outcomes
  * @param nowNanos the latest time of any input

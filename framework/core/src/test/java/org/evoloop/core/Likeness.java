@@ -57,6 +57,7 @@ final class Likeness {
                 world.asked == null ? null : world.asked.getClass(),
                 world.answer,
                 world.plans,
+                world.mayBeApart,
                 world.phase,
                 world.evolved,
                 world.left);

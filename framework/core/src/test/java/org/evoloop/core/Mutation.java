@@ -221,23 +221,30 @@ enum Mutation {
         }
     },
     FACTS_TAKE_UP_CONTROLLERS_PLACES("room", Scene.robot().with(1, Act.PRESS).with(2, Act.OWN)) {
-        private boolean isCrowdedOut(Snapshot before, Input input) {
-            return input instanceof Input.Observed observed
-                    && observed.occurrence().source() == Source.CONTROLLER
-                    && before.open()
-                    && before.waiting().size() >= scene.rules().queueCapacity();
+        @Override
+        boolean isLost(Snapshot before, Input input) {
+            return isLostInAFullQueue(before, input);
         }
-
+    },
+    DEFERRED_EVENTS_TAKE_UP_THE_PLACES_OF_OTHERS("room", Scene.grinder().with(4, Act.PRESS)) {
+        @Override
+        boolean isLost(Snapshot before, Input input) {
+            return isLostInAFullQueue(before, input);
+        }
+    },
+    A_LATE_EFFECT_MOVES_THE_DEVICE_ONLY("apart", Scene.robot().with(1, Act.PRESS, Act.GIVE_UP)) {
         @Override
         Snapshot undo(Snapshot before, Input input, Snapshot after) {
-            return isCrowdedOut(before, input) ? Snapshots.lost(before) : after;
+            return input instanceof Input.Sent ? Snapshots.followOwed(after, before.followOwed()) : after;
         }
-
+    },
+    AN_EFFECT_THAT_IS_GIVEN_UP_KEEPS_THE_STATE(
+            "obeyed", Scene.grinder().with(2, Act.PRESS).with(1, Act.GIVE_UP)) {
         @Override
-        List<Output> unsay(Snapshot before, Input input, List<Output> said) {
-            return isCrowdedOut(before, input)
-                    ? List.of(new Output.Dropped(((Input.Observed) input).occurrence(), true))
-                    : said;
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.GivenUp
+                    ? Snapshots.at(after, after.at().withEvolved(before.at().evolved()))
+                    : after;
         }
     },
     WHAT_ENDS_IS_NOT_COUNTED("sum", Scene.bulb().with(1, Act.PRESS)) {
@@ -261,9 +268,18 @@ enum Mutation {
     /** The core without the mechanism. */
     Wiring wiring() {
         return (rules, before, input) -> {
+            if (isLost(before, input)) {
+                Occurrence lost = ((Input.Observed) input).occurrence();
+                return new Wiring.Result(List.of(new Output.Dropped(lost, true)), Snapshots.lost(before));
+            }
             Wiring.Result real = Wiring.REAL.apply(rules, ahead(before, input), input);
             return new Wiring.Result(unsay(before, input, real.said()), undo(before, input, real.after()));
         };
+    }
+
+    /** Whether an occurrence is lost that the core would take. */
+    boolean isLost(Snapshot before, Input input) {
+        return false;
     }
 
     /** The snapshot that the core is given before an input. */
@@ -277,6 +293,14 @@ enum Mutation {
 
     List<Output> unsay(Snapshot before, Input input, List<Output> said) {
         return said;
+    }
+
+    /** Whether a press finds as many occurrences as there are places, whatever these are. */
+    boolean isLostInAFullQueue(Snapshot before, Input input) {
+        return input instanceof Input.Observed observed
+                && observed.occurrence().source() == Source.CONTROLLER
+                && before.open()
+                && before.waiting().size() >= scene.rules().queueCapacity();
     }
 
     private static Work asking(Pending pending, Snapshot before) {
