@@ -40,7 +40,8 @@ final class Invariants {
                         invariants.nothingIsDoneAgain(),
                         invariants.factsAreKept(),
                         invariants.controllersHaveTheirPlaces(),
-                        invariants.theSystemFollowsTheDevice())
+                        invariants.theSystemFollowsTheDevice(),
+                        invariants.functionsRun())
                 .stream()
                 .filter(problem -> !problem.isEmpty())
                 .findFirst()
@@ -61,6 +62,9 @@ final class Invariants {
             if (output instanceof Output.Begin begin) {
                 if (before.work() != null && !isIn(before.work(), Work.Stage.INTERRUPTED)) {
                     return "order: " + begin + " while " + before.work() + " is in progress";
+                }
+                if (isDeferred(begin.pending().occurrence(), before)) {
+                    return "order: " + begin + ", which " + before.at() + " defers";
                 }
                 List<Pending> ahead = new ArrayList<>(before.waiting());
                 ahead.retainAll(after.waiting());
@@ -246,6 +250,16 @@ final class Invariants {
                 && new Core(world.rules(), after, output -> {}).doubt().isEmpty();
         return quiet && !world.mayBeApart && !world.isTogether(after.at())
                 ? "apart: nothing leads to " + after.at()
+                : "";
+    }
+
+    /** Whenever nothing is left to be done in a new state, its function has been started in this visit. */
+    private String functionsRun() {
+        boolean quiet = after.open() && after.work() == null && !after.visit().over();
+        return quiet
+                        && world.rules().table().isNew(after.at().evolved())
+                        && world.functionOf != after.visit().number()
+                ? "function: that of " + after.at().evolved() + " does not run in " + after.visit()
                 : "";
     }
 

@@ -58,6 +58,7 @@ final class Likeness {
                 world.answer,
                 world.plans,
                 world.mayBeApart,
+                world.functionOf == now.visit().number(),
                 world.phase,
                 world.evolved,
                 world.left);

@@ -216,7 +216,7 @@ enum Mutation {
         Snapshot undo(Snapshot before, Input input, Snapshot after) {
             Work work = after.work();
             return input instanceof Input.Recovered && work != null
-                    ? Snapshots.work(after, new Work(work.pending(), null, 0, 0, "", Work.Stage.READY, List.of()))
+                    ? Snapshots.work(after, begun(work.pending()))
                     : after;
         }
     },
@@ -230,6 +230,34 @@ enum Mutation {
         @Override
         boolean isLost(Snapshot before, Input input) {
             return isLostInAFullQueue(before, input);
+        }
+    },
+    WHAT_A_STATE_DEFERS_BEGINS_ALL_THE_SAME("order", Scene.grinder().with(2, Act.PRESS)) {
+        private boolean waits(Snapshot before, Input input) {
+            return input instanceof Input.Ready
+                    && before.work() == null
+                    && before.waiting().size() == 1;
+        }
+
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return waits(before, input)
+                    ? Snapshots.waiting(
+                            Snapshots.work(after, begun(before.waiting().get(0))), List.of())
+                    : after;
+        }
+
+        @Override
+        List<Output> unsay(Snapshot before, Input input, List<Output> said) {
+            return waits(before, input)
+                    ? List.of(new Output.Begin(before.waiting().get(0)))
+                    : said;
+        }
+    },
+    A_FUNCTION_IS_NOT_STARTED("function", Scene.robot().with(2, Act.PRESS)) {
+        @Override
+        List<Output> unsay(Snapshot before, Input input, List<Output> said) {
+            return without(said, Output.Start.class::isInstance);
         }
     },
     A_LATE_EFFECT_MOVES_THE_DEVICE_ONLY("apart", Scene.robot().with(1, Act.PRESS, Act.GIVE_UP)) {
@@ -301,6 +329,10 @@ enum Mutation {
                 && observed.occurrence().source() == Source.CONTROLLER
                 && before.open()
                 && before.waiting().size() >= scene.rules().queueCapacity();
+    }
+
+    private static Work begun(Pending pending) {
+        return new Work(pending, null, 0, 0, "", Work.Stage.READY, List.of());
     }
 
     private static Work asking(Pending pending, Snapshot before) {

@@ -55,6 +55,9 @@ final class World {
      */
     boolean mayBeApart;
 
+    /** The last visit whose function was started, or continues in other models; 0 if there is none. */
+    long functionOf;
+
     Phase phase = Phase.CLOSED;
     /** Whether the scene's next rules apply. */
     boolean evolved;
@@ -79,6 +82,7 @@ final class World {
         answer = same.answer;
         plans = new LinkedHashSet<>(same.plans);
         mayBeApart = same.mayBeApart;
+        functionOf = same.functionOf;
         phase = same.phase;
         evolved = same.evolved;
         left = new EnumMap<>(same.left);
@@ -136,6 +140,8 @@ final class World {
         for (Output output : said) {
             if (output instanceof Output.Begin) {
                 plans.clear();
+            } else if (output instanceof Output.Start start) {
+                functionOf = start.visit();
             } else if (output instanceof Output.Ended ended
                     && (ended.outcome() != Outcome.HANDLED
                             || ended.decision() instanceof Decision.Sending
