@@ -75,8 +75,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
                 visits::leaving,
                 journal,
                 watchman);
-        this.carrier =
-                new Carrier(driver, visits, knowledge, books, (execute, cause) -> failed(execute, "settled", cause));
+        this.carrier = new Carrier(driver, visits, knowledge, books, this::failed);
         this.loop = new MapeLoop<>(config, this, carrier::next, driver);
         visits.attach(loop);
         watchman.attach(driver, loop::offer);
