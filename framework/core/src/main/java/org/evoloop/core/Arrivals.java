@@ -165,7 +165,7 @@ final class Arrivals {
 
     /**
      * Has the new model follow to the device's state without having heard how the device got there; null if it need
-     * not, or if there are facts from which it may still hear.
+     * not, or if facts wait from which it still hears.
      */
     private @Nullable Pending owedFinding() {
         if (!ledger.followOwed || ledger.line.holdsFacts()) {
@@ -173,9 +173,6 @@ final class Arrivals {
         }
         ledger.followOwed = false;
         State there = ledger.place.at().original();
-        if (!ledger.rules.table().find(ledger.place.at(), there).leavesState()) {
-            return null;
-        }
         return new Pending(
                 ledger.counts.observe(),
                 new Occurrence.Found(there, ledger.nowNanos),

@@ -346,8 +346,8 @@ final class Conversion {
         } else {
             Decision found = ledger.rules.table().find(ledger.place.at(), state);
             ledger.place.moveDevice(state, ledger.out);
-            // Facts that wait are older than the answer, and lead the new model elsewhere.
-            ledger.followOwed = true;
+            // Facts that wait are older than the answer, and may lead the new model elsewhere.
+            ledger.followOwed |= ledger.line.holdsFacts();
             if (found.leavesState()) {
                 ledger.stay.leave(ledger.out);
             }

@@ -26,9 +26,9 @@ final class Ledger {
     long nowNanos;
 
     /**
-     * Whether the new model may have to follow the device once no fact waits any more, since the facts alone do not
-     * lead it there: some were lost, the device has reported its state meanwhile, or a step had its effect after it was
-     * given up.
+     * Whether the new model has to follow the device once no fact waits any more, since facts alone do not lead it
+     * there: some were lost, the device has reported its state after them, or a step had its effect after it was given
+     * up.
      */
     boolean followOwed;
 

@@ -76,12 +76,15 @@ final class Line {
     }
 
     /** How many wait for the places that {@code next} may take. */
-    private long rivals(Pending next) {
+    private int rivals(Pending next) {
         boolean waitsForAnotherState = deferred.test(next);
-        return waiting.stream()
-                .filter(pending -> pending.mayBeLost() == next.mayBeLost())
-                .filter(pending -> deferred.test(pending) == waitsForAnotherState)
-                .count();
+        int rivals = 0;
+        for (Pending pending : waiting) {
+            if (pending.mayBeLost() == next.mayBeLost() && deferred.test(pending) == waitsForAnotherState) {
+                rivals++;
+            }
+        }
+        return rivals;
     }
 
     private int others() {
