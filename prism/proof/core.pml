@@ -181,7 +181,7 @@ inline find(state) {
   code = RESYNCHRONIZATION + 16 * target + (target != system_at -> 8 : 0)
 }
 
-/* Whether expected events can lead there, so that the new model would not follow if the device were found there. */
+/* Whether the decision table has this pair of states, so that the new model would not follow if the device were found there. */
 #define STANDS_TOGETHER(device, system) (find_table[IX(pair, device, system, 0)] == system)
 
 /* ---- numbers: the lowest unused one, so that they do not grow without bound ---- */

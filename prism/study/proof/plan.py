@@ -13,7 +13,7 @@ PROPERTIES = {
     "sent": "a step is only sent when the record is at the step's source state",
     "stuck": "when nothing waits, a visit is in progress",
     "room": "a controller's event is lost only when the queue is full of controllers' events",
-    "together": "when nothing is left to do, device and new model are in states that go together, unless a failure, a step that a function requested, or a swap left them apart",
+    "together": "when nothing is left to do, device and new model go together, unless something failed",
     "drains": "when nothing more happens, the queue drains",
     "swaps": "every swap ends: it is completed or abandoned",
 }
