@@ -266,6 +266,12 @@ enum Mutation {
             return input instanceof Input.Sent ? Snapshots.followOwed(after, before.followOwed()) : after;
         }
     },
+    AN_ANSWER_MOVES_THE_DEVICE_ONLY("apart", Scene.bulb().with(1, Act.PRESS, Act.OWN, Act.GIVE_UP)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.Located ? Snapshots.followOwed(after, before.followOwed()) : after;
+        }
+    },
     AN_EFFECT_THAT_IS_GIVEN_UP_KEEPS_THE_STATE(
             "obeyed", Scene.grinder().with(2, Act.PRESS).with(1, Act.GIVE_UP)) {
         @Override
