@@ -83,7 +83,7 @@ byte doubt_facts;
 byte doubt_fact[FACTS];
 
 bit stepped; /* whether any step has been sent */
-bit owed; /* whether the new model may have to follow the device once no fact waits: Ledger.followOwed */
+bit owed; /* whether the new model has to follow the device once no fact waits: Ledger.followOwed */
 bit over = 1; /* whether the visit has ended */
 bit armed; /* whether the visit's timer runs */
 

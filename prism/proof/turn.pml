@@ -31,17 +31,12 @@ inline count_facts() {
 /* Arrivals.owedFinding: the new model follows to the device's state if it is not where it goes together with that. */
 inline find_owed() {
   owed = 0;
-  find(device_at);
-  if
-  :: LEAVES(code) ->
-    make(FOUND, device_at, DEVICE, ANY, 0);
-    give_number();
-    next_one.id = number;
-    next_one.from = device_at;
-    COPY(work, next_one);
-    busy = 1
-  :: else -> skip
-  fi
+  make(FOUND, device_at, DEVICE, ANY, 0);
+  give_number();
+  next_one.id = number;
+  next_one.from = device_at;
+  COPY(work, next_one);
+  busy = 1
 }
 
 inline give_turn() {
@@ -351,7 +346,8 @@ inline located(id_, state) {
         fi;
         device_at = state;
 #ifndef AN_ANSWER_MOVES_THE_DEVICE_ONLY
-        owed = 1;
+        count_facts();
+        owed = owed || j > 0;
 #endif
         plan = code;
         decided = 1;
