@@ -51,6 +51,7 @@
 #define SENT 5
 #define STUCK 6
 #define CROWDED_OUT 7
+#define TOGETHER 8
 
 typedef Pending {
   byte id;
@@ -82,6 +83,7 @@ byte doubt_facts;
 byte doubt_fact[FACTS];
 
 bit stepped; /* whether any step has been sent */
+bit owed; /* whether the new model has to follow the device once no fact waits: Ledger.followOwed */
 bit over = 1; /* whether the visit has ended */
 bit armed; /* whether the visit's timer runs */
 
@@ -106,6 +108,9 @@ byte directive;
 
 /* The numbers of occurrences that were observed and that ended during the current input. */
 hidden byte observed_count, ended_count;
+
+/* Whether anything happened during the current input that may leave device and new model in states that do not go together. */
+hidden byte may_part;
 
 /* Scratch. */
 hidden Pending next_one;
@@ -175,6 +180,9 @@ inline find(state) {
   target = find_table[IX(pair, state, system_at, 0)];
   code = RESYNCHRONIZATION + 16 * target + (target != system_at -> 8 : 0)
 }
+
+/* Whether the decision table has this pair of states, so that the new model would not follow if the device were found there. */
+#define STANDS_TOGETHER(device, system) (find_table[IX(pair, device, system, 0)] == system)
 
 /* ---- numbers: the lowest unused one, so that they do not grow without bound ---- */
 
@@ -419,7 +427,7 @@ inline enter_again(kind_) {
   one.from, one.own, one.attempts, one.acted, one.later)
 
 inline tell_state() {
-  printf("= %d %d %d %d %d %d %d", open, device_at, system_at, pair, over, armed, stepped);
+  printf("= %d %d %d %d %d %d %d %d", open, device_at, system_at, pair, over, armed, stepped, owed);
   printf(" doubt %d %d %d %d", doubt, doubt_id, doubt_steps, doubt_facts);
   printf(" work %d %d %d %d %d %d", busy, decided, plan, stage, taken, facts);
   TELL_PENDING(work);

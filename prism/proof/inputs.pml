@@ -49,7 +49,7 @@ inline recovered() {
   :: busy && stage == SENDING ->
     keep_facts();
     note_step();
-    conclude();
+    conclude(true);
     doubt_step(noted_id, noted_event, noted_source)
 #ifdef AN_END_LEAVES_NO_DOUBT
     ; no_doubt()

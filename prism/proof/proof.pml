@@ -49,5 +49,5 @@ init {
   }
 }
 
-ltl drains { [] <> (waiting == 0 && !busy && untold == 0 && phase == OPEN) }
+ltl drains { [] <> (waiting == 0 && !busy && !owed && untold == 0 && phase == OPEN) }
 ltl swaps { [] (swap -> <> !swap) }

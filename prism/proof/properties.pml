@@ -12,6 +12,12 @@ int lost_plan;
 byte lost_taken;
 byte lost_attempts;
 
+/*
+ * Whether device and new model were left in states that do not go together by what failed, by what a function had the device
+ * do, or by a swap, which takes over such states as they are. That no longer counts once the new model has to follow the device.
+ */
+bit may_be_apart;
+
 /* The number of visits so far: none, one, more. */
 byte visited;
 
@@ -33,6 +39,7 @@ inline before() {
   held_before = waiting + busy;
   observed_count = 0;
   ended_count = 0;
+  may_part = 0;
   entries = 0
 }
 
@@ -46,6 +53,8 @@ inline after() {
   must(RECORD, untold > 0 || doubt == UNSETTLED || device_at == device);
 #endif
   must(STUCK, !(open && waiting == 0 && !busy && over));
+  may_be_apart = ((may_be_apart && !owed) || may_part) && !STANDS_TOGETHER(device_at, system_at);
+  must(TOGETHER, !open || waiting > 0 || busy || owed || doubt == UNSETTLED || STANDS_TOGETHER(device_at, system_at) || may_be_apart);
   tell_state();
   tell_violation();
   assert(violated == 0)

@@ -25,6 +25,7 @@ inline anew() {
   device_at = INITIAL_DEVICE;
   system_at = INITIAL_SYSTEM;
   stepped = 0;
+  owed = 0;
   over = 1;
   armed = 0
 }
@@ -49,6 +50,7 @@ end:
     d_step {
       observed_count = 0;
       ended_count = 0;
+      may_part = 0;
       entries = 0;
       /* Without a number it is the occurrence in progress. */
       a = (a == 0 && (input == SENDING_IT || input == FAILED || input == GIVEN_UP || input == LOCATED) -> work.id : a);

@@ -8,24 +8,53 @@ inline ready() {
   :: else -> skip
   fi;
   do
-  :: !busy && open && waiting > 0 ->
+  :: !busy && open && (waiting > 0 || owed) ->
+    count_facts();
     if
-#ifndef VISITS_ARE_NOT_TOLD_APART
-    :: line[0].visit == FORMER -> ended(); take_out(0)
-#endif
-    :: line[0].kind == IN_DOUBT && doubt != UNSETTLED -> ended(); take_out(0)
-    :: else ->
-      if
-      :: line[0].kind == HEARD && line[0].source == TIMER && line[0].what == timer_table[IX(pair, 0, system_at, 0)] -> armed = 0
-      :: else -> skip
-      fi;
-      COPY(work, line[0]);
-      take_out(0);
-      busy = 1;
-      must(VISIT, work.visit != FORMER)
+    :: owed && j == 0 -> find_owed()
+    :: else -> give_turn()
     fi
   :: else -> break
   od
+}
+
+/* The number of facts that wait, in `j`. */
+inline count_facts() {
+  i = 0;
+  j = 0;
+  do
+  :: i < waiting -> j = j + HAS_HAPPENED(line[i]); i++
+  :: else -> break
+  od
+}
+
+/* Arrivals.owedFinding: the new model follows to the device's state if it is not where it goes together with that. */
+inline find_owed() {
+  owed = 0;
+  make(FOUND, device_at, DEVICE, ANY, 0);
+  give_number();
+  next_one.id = number;
+  next_one.from = device_at;
+  COPY(work, next_one);
+  busy = 1
+}
+
+inline give_turn() {
+  if
+#ifndef VISITS_ARE_NOT_TOLD_APART
+  :: line[0].visit == FORMER -> ended(); take_out(0)
+#endif
+  :: line[0].kind == IN_DOUBT && doubt != UNSETTLED -> ended(); take_out(0)
+  :: else ->
+    if
+    :: line[0].kind == HEARD && line[0].source == TIMER && line[0].what == timer_table[IX(pair, 0, system_at, 0)] -> armed = 0
+    :: else -> skip
+    fi;
+    COPY(work, line[0]);
+    take_out(0);
+    busy = 1;
+    must(VISIT, work.visit != FORMER)
+  fi
 }
 
 inline end_work() {
@@ -100,7 +129,7 @@ inline planned(id_, plan_, start, system) {
 
 inline dismissed(id_) {
   if
-  :: busy && work.id == (id_) -> conclude()
+  :: busy && work.id == (id_) -> conclude(true)
   :: else -> skip
   fi
 }
@@ -207,6 +236,9 @@ inline took_late(id_, in_order) {
       fi;
       step_counts();
       device_at = target;
+#ifndef A_LATE_EFFECT_MOVES_THE_DEVICE_ONLY
+      owed = 1;
+#endif
       if
       :: busy && stage == SENDING -> add_fact(FOUND_IN + target)
       :: else -> skip
@@ -231,6 +263,7 @@ inline arrive() {
   fi;
   ended_kind = work.kind;
   flag = KIND(plan) == IMPOSSIBLE && HAS_TRANSITION(plan);
+  may_part = may_part || KIND(plan) == IMPOSSIBLE || work.kind == ASKED;
   end_work();
   ended();
   if
@@ -240,8 +273,9 @@ inline arrive() {
   enter_again(ended_kind)
 }
 
-inline conclude() {
+inline conclude(fails) {
   ended_kind = work.kind;
+  may_part = may_part || fails;
   end_work();
   ended();
   enter_again(ended_kind)
@@ -250,7 +284,7 @@ inline conclude() {
 /* The plan has been overtaken: the occurrence is decided again, before all others. */
 inline again() {
   if
-  :: work.attempts + 1 > MOST_ATTEMPTS || (!open && !HAS_HAPPENED(work)) -> conclude()
+  :: work.attempts + 1 > MOST_ATTEMPTS || (!open && !HAS_HAPPENED(work)) -> conclude(true)
   :: else ->
     COPY(next_one, work);
     next_one.attempts++;
@@ -264,7 +298,7 @@ inline failed(id_) {
 #ifdef A_STATE_IS_NOT_ENTERED_AGAIN
   :: busy && work.id == (id_) -> end_work(); ended()
 #else
-  :: busy && work.id == (id_) -> conclude()
+  :: busy && work.id == (id_) -> conclude(true)
 #endif
   :: else -> skip
   fi
@@ -275,12 +309,12 @@ inline given_up(id_) {
   :: busy && work.id == (id_) && stage == SENDING ->
     keep_facts();
     note_step();
-    conclude();
+    conclude(true);
     doubt_step(noted_id, noted_event, noted_source)
 #ifdef GIVING_UP_LEAVES_NO_DOUBT
     ; no_doubt()
 #endif
-  :: busy && work.id == (id_) && stage != SENDING -> conclude()
+  :: busy && work.id == (id_) && stage != SENDING -> conclude(true)
   :: else -> skip
   fi
 }
@@ -298,12 +332,12 @@ inline located(id_, state) {
       work.attempts++;
       forget_facts();
       directive = LOCATE
-    :: doubt != UNSETTLED || (facts > 0 && work.attempts >= MOST_ATTEMPTS) || (facts == 0 && (state) == NONE) -> conclude()
+    :: doubt != UNSETTLED || (facts > 0 && work.attempts >= MOST_ATTEMPTS) || (facts == 0 && (state) == NONE) -> conclude(false)
     :: else ->
       happens_meanwhile(FOUND_IN + (state));
       settle_doubt();
       if
-      :: (state) == device_at -> conclude()
+      :: (state) == device_at -> conclude(false)
       :: else ->
         find(state);
         if
@@ -311,6 +345,10 @@ inline located(id_, state) {
         :: else -> skip
         fi;
         device_at = state;
+#ifndef AN_ANSWER_MOVES_THE_DEVICE_ONLY
+        count_facts();
+        owed = owed || j > 0;
+#endif
         plan = code;
         decided = 1;
         arrive()
@@ -339,6 +377,7 @@ inline evolved() {
     code = FATE;
     timer = timer_table[IX(pair, 0, system_at, 0)];
     goes_on = over || !open || (!FATE_SENDS(code) && KEEPS_FUNCTION(code));
+    may_part = !FATE_SENDS(code);
     pair = 1 - pair;
 #ifdef OTHER_MODELS_BEGIN_WHERE_THEY_WOULD_INITIALLY
     system_at = INITIAL_SYSTEM;

@@ -232,7 +232,7 @@ proctype Adapter() {
 proctype Carrier() {
   do
   :: WHEN(phase == OPEN && !busy && swap && !tried, try_swap())
-  :: WHEN(phase == OPEN && (!busy || stage == INTERRUPTED) && (!swap || tried) && (waiting > 0 || busy), tried = 0; printf("> ready\n"); ready())
+  :: WHEN(phase == OPEN && (!busy || stage == INTERRUPTED) && (!swap || tried) && (waiting > 0 || busy || owed), tried = 0; printf("> ready\n"); ready())
   :: WHEN(busy && !decided && !planning, decide(); planning = 1; made = code; made_at = at_state; made_in = system_at)
   :: WHEN(busy && !decided && planning, printf("> planned %d %d %d %d\n", work.id, made, made_at, made_in); planned(work.id, made, made_at, made_in); no_plan())
   :: WHEN(busy && stage == RESUMED, printf("> planned %d %d %d %d\n", work.id, plan, device_at, system_at); planned(work.id, plan, device_at, system_at))

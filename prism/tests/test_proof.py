@@ -16,14 +16,14 @@ _HAS_SPIN = shutil.which("spin") is not None and shutil.which("gcc") is not None
 
 _NAMES = sequence.Names({1: "off", 2: "on"}, {1: "off", 2: "on"}, {1: "switch", 2: "timeout"})
 _TRAIL = """> opened
-= 1 1 1 0 0 0 0 doubt 0 0 0 0 work 0 0 0 0 0 0 [0 0 0 0 0 0 0 0 0 0]
+= 1 1 1 0 0 0 0 0 doubt 0 0 0 0 work 0 0 0 0 0 0 [0 0 0 0 0 0 0 0 0 0]
 device 1
 the device does 1 by itself
-= 1 1 1 0 0 0 0 doubt 0 0 0 0 work 0 0 0 0 0 0 [0 0 0 0 0 0 0 0 0 0]
+= 1 1 1 0 0 0 0 0 doubt 0 0 0 0 work 0 0 0 0 0 0 [0 0 0 0 0 0 0 0 0 0]
 device 2
 > own 1 1
 new 1
-= 1 1 1 0 0 0 0 doubt 0 0 0 0 work 0 0 0 0 0 0 [0 0 0 0 0 0 0 0 0 0] [1 1 1 2 0 1 2 0 1 0]
+= 1 1 1 0 0 0 0 0 doubt 0 0 0 0 work 0 0 0 0 0 0 [0 0 0 0 0 0 0 0 0 0] [1 1 1 2 0 1 2 0 1 0]
 device 2
 violated 1"""
 
@@ -32,8 +32,8 @@ class TrailsTest(unittest.TestCase):
     def test_a_story_has_only_what_the_core_is_told(self) -> None:
         self.assertEqual(
             story.write(_TRAIL, _NAMES),
-            "opened\n= open off off sure waiting 0 idle visit -\n"
-            "own switch acted\n= open off off sure waiting 1 idle visit -\n",
+            "opened\n= open off off sure waiting 0 idle visit - -\n"
+            "own switch acted\n= open off off sure waiting 1 idle visit - -\n",
         )
 
     def test_a_diagram_shows_both_sides_and_what_is_violated(self) -> None:

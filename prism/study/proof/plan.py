@@ -13,10 +13,11 @@ PROPERTIES = {
     "sent": "a step is only sent when the record is at the step's source state",
     "stuck": "when nothing waits, a visit is in progress",
     "room": "a controller's event is lost only when the queue is full of controllers' events",
+    "together": "when nothing is left to do, device and new model go together, unless something failed",
     "drains": "when nothing more happens, the queue drains",
     "swaps": "every swap ends: it is completed or abandoned",
 }
-NUMBERS = ("", "record", "once", "visit", "again", "sent", "stuck", "room")
+NUMBERS = ("", "record", "once", "visit", "again", "sent", "stuck", "room", "together")
 """The properties, by their numbers in prism/proof/core.pml."""
 
 
@@ -144,6 +145,8 @@ MUTANTS = (
     Mutant("AN_OVERTAKEN_STEP_IS_SENT_ALL_THE_SAME", "an overtaken plan is made again", "sent", BULB, {"PRESSES": 1, "OWNS": 1}),
     Mutant("A_STATE_IS_NOT_ENTERED_AGAIN", "a state that could not be left is entered again", "stuck", ROBOT, {"PRESSES": 1, "FAILS": 1}),
     Mutant("FACTS_TAKE_UP_CONTROLLERS_PLACES", "facts take up none of the controllers' places", "room", ROBOT, {"PRESSES": 1, "OWNS": 2}),
+    Mutant("A_LATE_EFFECT_MOVES_THE_DEVICE_ONLY", "the new model follows a late effect", "together", ROBOT, {"PRESSES": 1, "GIVE_UPS": 1}),
+    Mutant("AN_ANSWER_MOVES_THE_DEVICE_ONLY", "the new model follows the device's answer, after older facts", "together", BULB, {"PRESSES": 1, "OWNS": 1, "GIVE_UPS": 1}),
     Mutant("NOBODY_IS_ASKED_TO_GO_ON", "each step that took effect requests the next", "drains", ROBOT, {"PRESSES": 1}, in_core=False),
     Mutant("A_SWAP_HAS_NO_DEADLINE", "a swap that has to wait is abandoned eventually", "swaps", BULB, {"PRESSES": 1, "OWNS": 1, "GIVE_UPS": 1, "SWAPS": 1}, WORST, in_core=False),
 )  # fmt: skip

@@ -47,7 +47,7 @@ def _input(words: list[str], names: Names, numbers: dict[str, int]) -> str:
 def state(said: str, names: Names) -> str:
     head, *pending = said.split("[")
     core, doubt, work = head.replace("doubt", "|").replace("work", "|").split("|")
-    is_open, device, system, _, over, armed, _ = core.split()
+    is_open, device, system, _, over, armed, _, owed = core.split()
     busy, decided, _, stage, _, _ = work.split()
     doing = "idle" if busy == "0" else _STAGES[int(stage)] if decided == "1" else "deciding"
     return " ".join(
@@ -62,6 +62,7 @@ def state(said: str, names: Names) -> str:
             doing,
             "over" if over == "1" else "visit",
             "timer" if armed == "1" else "-",
+            "owed" if owed == "1" else "-",
         )
     )
 

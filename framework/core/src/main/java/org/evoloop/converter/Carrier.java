@@ -2,7 +2,6 @@ package org.evoloop.converter;
 
 import java.util.List;
 import java.util.Set;
-import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import org.evoloop.core.Output;
 import org.evoloop.evolution.Occurrence;
@@ -24,7 +23,7 @@ final class Carrier {
     private final Visits visits;
     private final CurrentKnowledge knowledge;
     private final Books books;
-    private final BiConsumer<EventExecute, Exception> unsettled;
+    private final Reports reports;
     private volatile List<EventExecute> executes = List.of();
 
     /** The loop's execute components, in the order in which they are tried. */
@@ -38,14 +37,13 @@ final class Carrier {
 
     private volatile String runningEffect = "";
 
-    /** @param unsettled reports components whose {@code settled} fails while others still have to settle */
-    Carrier(
-            CoreDriver driver,
-            Visits visits,
-            CurrentKnowledge knowledge,
-            Books books,
-            BiConsumer<EventExecute, Exception> unsettled) {
-        this.unsettled = unsettled;
+    /** Is told of failures of components that do not end the event, since others continue. */
+    interface Reports {
+        void failed(EventExecute execute, String phase, Exception cause);
+    }
+
+    Carrier(CoreDriver driver, Visits visits, CurrentKnowledge knowledge, Books books, Reports reports) {
+        this.reports = reports;
         this.driver = driver;
         this.visits = visits;
         this.knowledge = knowledge;
@@ -128,8 +126,9 @@ final class Carrier {
                 driver.announceEffect(number);
                 driver.ran(number, run(run.effect(), plan.occurrence(), execute));
             } else if (next instanceof Output.Locate) {
-                State state = execute.locate().map(knowledge.get()::located).orElse(null);
-                if (state == null && senders.indexOf(execute) < senders.size() - 1) {
+                boolean last = senders.indexOf(execute) == senders.size() - 1;
+                State state = locate(execute, last);
+                if (state == null && !last) {
                     handBack(agenda, next);
                     return;
                 }
@@ -139,7 +138,7 @@ final class Carrier {
                 notSettled = settle(execute, settle);
                 if (settlesAfter(execute) != null) {
                     if (notSettled != null) {
-                        unsettled.accept(execute, notSettled);
+                        reports.failed(execute, "settled", notSettled);
                     }
                     handBack(agenda, next);
                     return;
@@ -151,6 +150,25 @@ final class Carrier {
         books.transcript().say();
         if (notSettled != null) {
             throw notSettled;
+        }
+    }
+
+    /**
+     * Asks the device for its state; null if {@code execute} does not know it.
+     *
+     * @param last whether no other component can be asked
+     */
+    private @Nullable State locate(EventExecute execute, boolean last) throws Exception {
+        try {
+            return execute.locate().map(knowledge.get()::located).orElse(null);
+        } catch (InterruptedException stop) {
+            throw stop;
+        } catch (Exception cause) {
+            if (last) {
+                throw cause;
+            }
+            reports.failed(execute, "locate", cause);
+            return null;
         }
     }
 
@@ -239,9 +257,18 @@ final class Carrier {
 
     /** Carries out directives that belong to no occurrence, such as the beginning and end of visits. */
     void carryOut() {
+        carryOut(null);
+    }
+
+    /**
+     * Carries out what follows an occurrence whose plan was broken off.
+     *
+     * @param carried its values, if it has led out of the state; else null
+     */
+    void carryOut(@Nullable Values carried) {
         Agenda agenda = driver.agenda();
         for (Output.Directive next = agenda.poll(); next != null; next = agenda.poll()) {
-            visit(next, null);
+            visit(next, carried);
         }
         books.transcript().say();
     }

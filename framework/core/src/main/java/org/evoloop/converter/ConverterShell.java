@@ -75,8 +75,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
                 visits::leaving,
                 journal,
                 watchman);
-        this.carrier =
-                new Carrier(driver, visits, knowledge, books, (execute, cause) -> failed(execute, "settled", cause));
+        this.carrier = new Carrier(driver, visits, knowledge, books, this::failed);
         this.loop = new MapeLoop<>(config, this, carrier::next, driver);
         visits.attach(loop);
         watchman.attach(driver, loop::offer);
@@ -158,9 +157,15 @@ final class ConverterShell implements LoopListener<Occurrence> {
         } else if (component instanceof EventAnalyze analyze) {
             analyze.attach(driver);
         } else if (component instanceof EventExecute execute) {
-            execute.attach(driver, carrier);
+            execute.attach(this::tookEffect, carrier);
         } else if (!(component instanceof EventPlan)) {
             throw new IllegalArgumentException(component.name() + " is not a component of a converter");
+        }
+    }
+
+    private void tookEffect(EventExecute execute, boolean inOrder) {
+        if (driver.tookEffect(execute, inOrder)) {
+            loop.look();
         }
     }
 
@@ -317,9 +322,10 @@ final class ConverterShell implements LoopListener<Occurrence> {
     /** @param unknown whether it is uncertain if the step being sent had its effect */
     private void ends(Failure<Occurrence> failure, boolean unknown) {
         report(failure);
-        if (failure.occurrence() != null) {
-            driver.failed(failure.toString(), unknown);
-            carrier.carryOut();
+        Occurrence occurrence = failure.occurrence();
+        if (occurrence != null) {
+            boolean left = driver.failed(failure.toString(), unknown);
+            carrier.carryOut(left ? occurrence.values() : null);
         }
     }
 

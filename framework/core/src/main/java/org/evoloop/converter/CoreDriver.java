@@ -34,7 +34,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Threading: thread-safe. Its lock is held for as long as the core and its outputs take, which is short; no user
  * code runs under it. A thread that holds the loop's lock may take this one, never the other way round.
  */
-final class CoreDriver implements Intake<Occurrence>, EffectListener {
+final class CoreDriver implements Intake<Occurrence> {
     private static final long WAIT_MILLIS = 5;
 
     private final Core core;
@@ -119,8 +119,8 @@ final class CoreDriver implements Intake<Occurrence>, EffectListener {
     }
 
     @Override
-    public synchronized boolean hasRoom() {
-        return core.hasRoom();
+    public synchronized boolean hasRoom(Occurrence occurrence) {
+        return core.hasRoom(occurrence);
     }
 
     @Override
@@ -269,14 +269,17 @@ final class CoreDriver implements Intake<Occurrence>, EffectListener {
      * call waits for the first, since the plan cannot continue before its consequences are known.
      *
      * @param inOrder see {@link Input.Sent}
+     * @return whether it was given up before, and something is to be done about that
      */
-    @Override
-    public synchronized void tookEffect(EventExecute execute, boolean inOrder) {
+    synchronized boolean tookEffect(EventExecute execute, boolean inOrder) {
         long number = execute.sending;
         execute.sending = 0;
-        if (number != 0) {
-            inputs.sent(number, inOrder, clock.nanoTime());
+        if (number == 0) {
+            return false;
         }
+        boolean late = !core.maySend(number);
+        inputs.sent(number, inOrder, clock.nanoTime());
+        return late && core.hasNext();
     }
 
     /** Announces that an effect is about to be run. */
@@ -300,9 +303,11 @@ final class CoreDriver implements Intake<Occurrence>, EffectListener {
      * The occurrence in progress has failed; the caller's turn carries out what follows.
      *
      * @param unknown whether it is uncertain if the step being sent had its effect
+     * @return whether it has led out of the state all the same: the device had obeyed
      */
-    synchronized void failed(String reason, boolean unknown) {
+    synchronized boolean failed(String reason, boolean unknown) {
         Pending pending = outputs.begun;
+        outputs.left = false;
         if (pending != null && core.isBusy()) {
             outputs.agenda.end();
             outputs.agenda = new Agenda();
@@ -313,6 +318,7 @@ final class CoreDriver implements Intake<Occurrence>, EffectListener {
                 inputs.failed(pending.number(), reason, now);
             }
         }
+        return outputs.left;
     }
 
     /** Nothing is in progress any more, and the converter is closed. */

@@ -32,6 +32,9 @@ final class CoreOutputs implements Outputs {
     /** The admission of the last occurrence offered. */
     Admission admission = Admission.TAKEN;
 
+    /** Whether the last occurrence that ended has led out of the state. */
+    boolean left;
+
     /** Also receives the outputs; null if there is no shadow. */
     @Nullable
     Outputs shadow;
@@ -174,6 +177,7 @@ final class CoreOutputs implements Outputs {
             Outcome outcome,
             @Nullable Decision decision,
             String detail) {
+        left = decision != null && decision.leavesState();
         if (decision instanceof Decision.Impossible impossible) {
             books.failures().warnSoon(occurrence + " in " + before + ": " + impossible.reason());
         }

@@ -1,5 +1,6 @@
 package org.evoloop.converter;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -167,13 +168,29 @@ public final class EdgeShell implements AutoCloseable {
 
     /** Asks the device where it is. */
     public void locate(long sequence) throws InterruptedException {
+        List<EventExecute> executes = assembly.executes();
         carryOut(sequence, "device", "locate", () -> {
             Optional<State> found = Optional.empty();
-            for (EventExecute execute : assembly.executes()) {
-                found = found.isPresent() ? found : execute.locate().map(knowledge::located);
+            for (int index = 0; index < executes.size() && found.isEmpty(); index++) {
+                found = locate(executes.get(index), index == executes.size() - 1);
             }
             answer(sequence, Result.SENT, "", found);
         });
+    }
+
+    /** @param last whether no other component can be asked */
+    private Optional<State> locate(EventExecute execute, boolean last) throws Exception {
+        try {
+            return execute.locate().map(knowledge::located);
+        } catch (InterruptedException stop) {
+            throw stop;
+        } catch (Exception cause) {
+            if (last) {
+                throw cause;
+            }
+            failures.log(new Failure<>(execute.name(), "locate", 0, null, cause));
+            return Optional.empty();
+        }
     }
 
     private interface Work {
@@ -299,7 +316,7 @@ public final class EdgeShell implements AutoCloseable {
         }
 
         @Override
-        public boolean hasRoom() {
+        public boolean hasRoom(Occurrence occurrence) {
             return true;
         }
 

@@ -101,8 +101,8 @@ public abstract class EventExecute extends Execute<ChangePlan> {
      * @return the name of a state of the original model; empty, the default, if the device does not know it: then the
      *     converter continues with the most likely state, and reports the doubt. It assumes that a step that was given
      *     up had no effect, and that the device's own actions happened in the order in which they were reported
-     * @throws Exception any failure: it is reported, and the record stays in doubt; so does a name that the original
-     *     model does not have
+     * @throws Exception any failure: it is reported, and the next component is asked; after the last one the record
+     *     stays in doubt. So it does after a name that the original model does not have
      */
     protected Optional<String> locate() throws Exception {
         return Optional.empty();

@@ -1,6 +1,5 @@
 package org.evoloop.core;
 
-import java.util.function.Predicate;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Step;
@@ -16,7 +15,6 @@ final class Arrivals {
     private static final String OVERTAKEN = "the device has been sent an event since";
 
     private final Ledger ledger;
-    private final Predicate<Pending> deferred = this::isDeferred;
 
     // The message for the last event that neither model knows; not part of the state.
     private @Nullable Event lastUnknown;
@@ -130,12 +128,12 @@ final class Arrivals {
 
     private void enqueue(Occurrence occurrence, @Nullable State from, @Nullable Step own) {
         long number = ledger.counts.observe();
-        boolean mayBeLost = Pending.mayBeLost(occurrence, from);
-        if (ledger.line.hasRoom(mayBeLost, ledger.rules, ledger.progress.isIdle())) {
-            ledger.line.add(new Pending(number, occurrence, from, own, ledger.place.steps(), 0));
+        Pending next = new Pending(number, occurrence, from, own, ledger.place.steps(), 0);
+        if (ledger.line.hasRoom(next, ledger.rules, ledger.progress.isIdle())) {
+            ledger.line.add(next);
             ledger.out.queued(occurrence);
         } else {
-            ledger.followOwed |= Pending.hasHappened(occurrence, from);
+            ledger.followOwed |= next.hasHappened();
             ledger.counts.end(Outcome.DROPPED);
             ledger.out.dropped(occurrence, ledger.line.lose());
         }
@@ -148,9 +146,9 @@ final class Arrivals {
             ledger.out.begin(ledger.progress.pending());
         }
         while (ledger.progress.isIdle() && ledger.open) {
-            Pending next = ledger.line.next(deferred);
-            if (next == null && ledger.followOwed) {
-                next = owedFinding();
+            Pending next = owedFinding();
+            if (next == null) {
+                next = ledger.line.next();
             }
             if (next == null) {
                 return;
@@ -159,15 +157,20 @@ final class Arrivals {
         }
     }
 
-    /** Whether the new model's state defers an event. Facts are never deferred. */
-    private boolean isDeferred(Pending pending) {
-        return !pending.hasHappened()
-                && pending.occurrence() instanceof Occurrence.Heard heard
-                && ledger.rules.table().defers(ledger.place.at(), heard.event());
+    /** Whether a function need not wait with an event that it wants to raise. */
+    boolean hasRoomForFunction(Occurrence raised) {
+        Pending next = new Pending(0, raised, null, null, ledger.place.steps(), 0);
+        return ledger.line.hasRoomForFunction(next, ledger.rules, ledger.progress.isIdle());
     }
 
-    /** Makes up for lost facts: the new model follows to the device's state. */
-    private Pending owedFinding() {
+    /**
+     * Has the new model follow to the device's state without having heard how the device got there; null if it need
+     * not, or if facts wait from which it still hears.
+     */
+    private @Nullable Pending owedFinding() {
+        if (!ledger.followOwed || ledger.line.holdsFacts()) {
+            return null;
+        }
         ledger.followOwed = false;
         State there = ledger.place.at().original();
         return new Pending(

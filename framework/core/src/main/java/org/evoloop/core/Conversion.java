@@ -128,6 +128,7 @@ final class Conversion {
             ledger.place.doubt(doubt.stepsBefore() == Doubt.UNSETTLED ? ledger.place.lastDoubt() : null);
             ledger.place.took(target, atNanos, ledger.out);
             ledger.out.took(doubt.step());
+            ledger.followOwed = true;
             if (progress.isSending()) {
                 // For the step being sent, the device did this beforehand.
                 progress.acted(new Occurrence.Found(target, atNanos));
@@ -220,7 +221,7 @@ final class Conversion {
         if (broken != null) {
             retry(pending.after(broken), reason);
         } else {
-            conclude(number, Outcome.FAILED, before == null ? reason : before.reason() + "; then " + reason);
+            breakOff(number, Outcome.FAILED, before == null ? reason : before.reason() + "; then " + reason);
         }
     }
 
@@ -245,7 +246,23 @@ final class Conversion {
         return isPossible ? new BrokenPlan(then, reason, begun, all) : null;
     }
 
-    /** The occurrence in progress ends before its plan was carried out. */
+    /**
+     * The plan of the occurrence in progress is not carried out to its end. If only effects were left, the device has
+     * obeyed, so the transition is taken without them.
+     */
+    void breakOff(long number, Outcome outcome, String reason) {
+        if (!progress.isOf(number) || progress.step() != null || progress.effect() == null) {
+            conclude(number, outcome, reason);
+            return;
+        }
+        if (progress.isRunning()) {
+            progress.interruptEffect(reason);
+        }
+        progress.skipEffects(reason);
+        arrive();
+    }
+
+    /** The occurrence in progress ends where the device is. */
     void conclude(long number, Outcome outcome, String reason) {
         if (!progress.isOf(number)) {
             return;
@@ -266,7 +283,7 @@ final class Conversion {
     void giveUp(long number, String reason) {
         Step step = stepOnItsWay(number);
         List<Occurrence> meanwhile = progress.meanwhile();
-        conclude(number, Outcome.FAILED, reason);
+        breakOff(number, Outcome.FAILED, reason);
         if (step != null) {
             String why = "it is unknown whether " + step.trigger() + " had its effect: " + reason;
             ledger.doubt(why, number, step, meanwhile);
@@ -284,7 +301,7 @@ final class Conversion {
             ledger.line.addFirst(pending);
         } else if (!progress.isIdle()) {
             if (progress.isRunning()) {
-                progress.ran("it is unknown whether the effect " + progress.effect() + " was run: " + PROCESS_ENDED);
+                progress.interruptEffect(PROCESS_ENDED);
             }
             progress.interrupt();
         }
@@ -329,6 +346,8 @@ final class Conversion {
         } else {
             Decision found = ledger.rules.table().find(ledger.place.at(), state);
             ledger.place.moveDevice(state, ledger.out);
+            // Facts that wait are older than the answer, and may lead the new model elsewhere.
+            ledger.followOwed |= ledger.line.holdsFacts();
             if (found.leavesState()) {
                 ledger.stay.leave(ledger.out);
             }

@@ -149,7 +149,7 @@ public final class Core implements Inputs {
     @Override
     public void dismissed(long number, long atNanos) {
         ledger.isAt(atNanos);
-        conversion.conclude(number, Outcome.IGNORED, "dismissed");
+        conversion.breakOff(number, Outcome.IGNORED, "dismissed");
     }
 
     @Override
@@ -273,9 +273,9 @@ public final class Core implements Inputs {
         return !ledger.progress.isIdle();
     }
 
-    /** Whether a function may raise one more event without waiting. Controllers' events do not matter for that. */
-    public boolean hasRoom() {
-        return ledger.line.hasRoomForFunctions(ledger.rules, ledger.progress.isIdle());
+    /** Whether a function may raise this event without waiting. Controllers' events do not matter for that. */
+    public boolean hasRoom(Occurrence raised) {
+        return arrivals.hasRoomForFunction(raised);
     }
 
     /** Whether an occurrence is ready to begin when nothing is in progress. */

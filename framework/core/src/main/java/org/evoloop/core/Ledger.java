@@ -25,7 +25,11 @@ final class Ledger {
     /** The latest time of any input. */
     long nowNanos;
 
-    /** Whether facts were lost, so that the new model has to follow the device once the queue is empty. */
+    /**
+     * Whether the new model has to follow the device once no fact waits any more, since facts alone do not lead it
+     * there: some were lost, the device has reported its state after them, or a step had its effect after it was given
+     * up.
+     */
     boolean followOwed;
 
     final Progress progress;
@@ -36,7 +40,7 @@ final class Ledger {
         this.out = out;
         this.place = new Place(snapshot);
         this.counts = new Counts(snapshot.tally());
-        this.line = new Line(snapshot, counts);
+        this.line = new Line(snapshot, counts, this::isDeferred);
         this.stay = new Stay(snapshot.visit());
         this.progress = new Progress(snapshot.work());
         this.rules = rules;
@@ -73,6 +77,13 @@ final class Ledger {
 
     boolean isDevicesState(State state) {
         return rules.table().models().original().hasState(state);
+    }
+
+    /** Whether the new model's state defers an event. Facts are never deferred. */
+    private boolean isDeferred(Pending pending) {
+        return !pending.hasHappened()
+                && pending.occurrence() instanceof Occurrence.Heard heard
+                && rules.table().defers(place.at(), heard.event());
     }
 
     /** Advances the time; earlier observations may still be reported later. */

@@ -12,7 +12,9 @@ import org.jspecify.annotations.Nullable;
  * The queue of occurrences, first come first served, and their counts.
  *
  * <p>Only events of controllers take up its capacity; when it is used up, further ones are lost. Facts, and events that
- * a timer or a function raises, have places of their own, {@value #MOST_FACTS} more.
+ * a timer or a function raises, have places of their own, {@value #MOST_FACTS} more. Events that the present state defers
+ * may wait for long, so they never take up the places of those that need not wait for another state, among which may be
+ * the one that leads there.
  */
 final class Line {
     /** How many more places than the capacity there are for facts, and for events of timers and functions. */
@@ -20,6 +22,7 @@ final class Line {
 
     private final ArrayDeque<Pending> waiting = new ArrayDeque<>();
     private final Counts counts;
+    private final Predicate<Pending> deferred;
 
     /** How many of those that wait may be lost. */
     private int losable;
@@ -27,8 +30,10 @@ final class Line {
     /** Whether anything has been lost since there was last room. */
     private boolean losing;
 
-    Line(Snapshot snapshot, Counts counts) {
+    /** @param deferred whether the present state defers an occurrence */
+    Line(Snapshot snapshot, Counts counts, Predicate<Pending> deferred) {
         this.counts = counts;
+        this.deferred = deferred;
         restore(snapshot);
     }
 
@@ -54,14 +59,32 @@ final class Line {
         }
     }
 
-    /** Whether one more may wait, which may be lost or not. */
-    boolean hasRoom(boolean mayBeLost, Rules rules, boolean idle) {
-        return mayBeLost ? losable < places(rules, idle) : others() < rules.mostFacts();
+    /** Whether {@code next} may wait, too. */
+    boolean hasRoom(Pending next, Rules rules, boolean idle) {
+        return next.mayBeLost() ? hasPlace(next, losable, rules, idle) : others() < rules.mostFacts();
     }
 
-    /** Whether a function need not wait with its next event. It must not use up the places of facts. */
-    boolean hasRoomForFunctions(Rules rules, boolean idle) {
-        return others() < places(rules, idle);
+    /** Whether a function need not wait with {@code next}. It must not use up the places of facts. */
+    boolean hasRoomForFunction(Pending next, Rules rules, boolean idle) {
+        return hasPlace(next, others(), rules, idle);
+    }
+
+    /** @param alike how many wait that are lost as {@code next} is, or are not */
+    private boolean hasPlace(Pending next, int alike, Rules rules, boolean idle) {
+        int places = places(rules, idle);
+        return alike < places || rivals(next) < places;
+    }
+
+    /** How many wait for the places that {@code next} may take. */
+    private int rivals(Pending next) {
+        boolean waitsForAnotherState = deferred.test(next);
+        int rivals = 0;
+        for (Pending pending : waiting) {
+            if (pending.mayBeLost() == next.mayBeLost() && deferred.test(pending) == waitsForAnotherState) {
+                rivals++;
+            }
+        }
+        return rivals;
     }
 
     private int others() {
@@ -95,7 +118,7 @@ final class Line {
 
     /** The first occurrence that may have its turn; null if none may. */
     @Nullable
-    Pending next(Predicate<Pending> deferred) {
+    Pending next() {
         Pending first = waiting.peek();
         if (first != null && !deferred.test(first)) {
             waiting.remove();
@@ -124,6 +147,16 @@ final class Line {
     boolean isRetryNext() {
         Pending first = waiting.peek();
         return first != null && first.attempts() > 0;
+    }
+
+    /** Whether any fact waits. */
+    boolean holdsFacts() {
+        for (Pending pending : waiting) {
+            if (pending.hasHappened()) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Whether a doubt waits to be settled. */

@@ -41,22 +41,12 @@ public record Pending(
 
     /** Whether it is a fact, or about one. */
     boolean hasHappened() {
-        return hasHappened(occurrence, from);
-    }
-
-    /** As {@link #hasHappened()}, of an occurrence before it is queued. */
-    static boolean hasHappened(Occurrence occurrence, @Nullable State from) {
         return from != null || occurrence.isFact();
     }
 
     /** Whether it is lost when the queue is full: an event of a controller. */
     boolean mayBeLost() {
-        return mayBeLost(occurrence, from);
-    }
-
-    /** As {@link #mayBeLost()}, of an occurrence before it is queued. */
-    static boolean mayBeLost(Occurrence occurrence, @Nullable State from) {
-        return !hasHappened(occurrence, from) && occurrence.source().isButton();
+        return !hasHappened() && occurrence.source().isButton();
     }
 
     /** A copy for another attempt. */

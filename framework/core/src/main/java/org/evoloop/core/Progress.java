@@ -170,6 +170,18 @@ final class Progress {
         failedEffects += failedEffects.isEmpty() || failure.isEmpty() ? failure : "; " + failure;
     }
 
+    /** The effect being run does not report its end. */
+    void interruptEffect(String reason) {
+        ran("it is unknown whether the effect " + effect() + " was run: " + reason);
+    }
+
+    /** The effects that were not begun are not run any more. */
+    void skipEffects(String reason) {
+        for (String next = effect(); next != null; next = effect()) {
+            ran("the effect " + next + " was not run: " + reason);
+        }
+    }
+
     /** Replaces the occurrence in progress. */
     void replace(UnaryOperator<Pending> another) {
         if (pending != null) {

@@ -1,5 +1,6 @@
 package org.evoloop.core;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -22,7 +23,8 @@ import org.jspecify.annotations.Nullable;
  * @param visit the visit of the current state
  * @param waiting the occurrences that wait for their turn, in order
  * @param losing whether anything has been lost since there was last room
- * @param followOwed whether facts were lost, so that the new model has to follow the device once the queue is empty
+ * @param followOwed whether the new model has to follow the device once no fact waits any more, since facts alone do
+ *     not lead it there
  * @param work the occurrence in progress; null if there is none
  * @param tally the number of occurrences and their outcomes
  * @param nowNanos the latest time of any input
@@ -51,6 +53,25 @@ public record Snapshot(
      */
     public record OpenVisit(
             long number, boolean over, @Nullable Transition by, Map<Event, Long> deadlines) {}
+
+    /** A copy in which the occurrence that came last has its turn first. */
+    public Snapshot lastFirst() {
+        List<Pending> order = new ArrayList<>(waiting);
+        order.add(0, order.remove(order.size() - 1));
+        return new Snapshot(
+                open,
+                at,
+                doubt,
+                steps,
+                lastStepNanos,
+                visit,
+                List.copyOf(order),
+                losing,
+                followOwed,
+                work,
+                tally,
+                nowNanos);
+    }
 
     /** A copy for a clock that is {@code nanos} ahead: every time in it is later by that much. */
     public Snapshot later(long nanos) {

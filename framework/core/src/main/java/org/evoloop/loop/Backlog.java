@@ -39,7 +39,7 @@ final class Backlog<O> implements Intake<O> {
             refused++;
             return Admission.REFUSED;
         }
-        if (!hasRoom()) {
+        if (!hasRoom(occurrence)) {
             return drop();
         }
         if (dropping.get()) {
@@ -60,7 +60,7 @@ final class Backlog<O> implements Intake<O> {
 
     /** An idle loop has room for the occurrence that it takes at once, even with capacity 0. */
     @Override
-    public boolean hasRoom() {
+    public boolean hasRoom(O occurrence) {
         return waiting.size() < Math.max(capacity, busy ? 0 : 1);
     }
 

@@ -35,8 +35,8 @@ public interface Intake<O> {
     /** Takes or refuses an occurrence. */
     Admission offer(O occurrence);
 
-    /** Whether there is room for an occurrence whose source waits for it, see {@link MapeLoop#put}. */
-    boolean hasRoom();
+    /** Whether there is room for an occurrence whose source waits until there is, see {@link MapeLoop#put}. */
+    boolean hasRoom(O occurrence);
 
     /** The occurrence that has its turn now; null if none has. */
     @Nullable

@@ -336,6 +336,11 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
         return sequencer.put(occurrence);
     }
 
+    /** Begins what the intake has come to hold without an {@link #offer}, if nothing is in the loop. */
+    public void look() {
+        sequencer.look();
+    }
+
     /**
      * Calls one monitor once and queues what it reports, on the caller's thread: the step of a monitor in a loop
      * without threads.

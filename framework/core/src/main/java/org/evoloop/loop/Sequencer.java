@@ -74,12 +74,22 @@ final class Sequencer<O> {
         lock.acquireInterruptibly();
         try {
             // Without threads, nothing would make room.
-            while (config.threads() && state == LoopState.RUNNING && !intake.hasRoom()) {
+            while (config.threads() && state == LoopState.RUNNING && !intake.hasRoom(offered)) {
                 room.await();
             }
             Intake.Admission admission = intake.offer(offered);
             begin();
             return admission == Intake.Admission.TAKEN;
+        } finally {
+            release();
+        }
+    }
+
+    /** The intake may have an occurrence that was not offered. */
+    void look() {
+        lock.acquire();
+        try {
+            begin();
         } finally {
             release();
         }

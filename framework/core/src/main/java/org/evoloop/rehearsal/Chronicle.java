@@ -9,7 +9,9 @@ import org.evoloop.core.Outputs;
 import org.evoloop.core.text.DecisionKind;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Receives a core's outputs, and reports how each event ended.
@@ -54,14 +56,29 @@ public class Chronicle implements Outputs {
             visit = enter.visit();
         } else if (output instanceof Output.CarryOver carryOver) {
             visit = carryOver.visit();
-        } else if (output instanceof Output.Ended ended && isOfModels(ended.occurrence())) {
-            end(ended);
+        } else if (output instanceof Output.Ended ended) {
+            Output.Ended ofModels = ofModels(ended);
+            if (ofModels != null) {
+                end(ofModels);
+            }
         }
     }
 
-    /** Doubts and violations are not events of the models. */
-    private static boolean isOfModels(Occurrence occurrence) {
-        return !(occurrence instanceof Occurrence.InDoubt || occurrence instanceof Occurrence.Violated);
+    /** Doubts and violations are not events of the models; that the device was elsewhere than recorded is one. */
+    private static Output.@Nullable Ended ofModels(Output.Ended ended) {
+        if (ended.occurrence() instanceof Occurrence.InDoubt doubt) {
+            State there = ended.after().original();
+            return there.equals(ended.before().original())
+                    ? null
+                    : new Output.Ended(
+                            new Occurrence.Found(there, doubt.observedNanos()),
+                            ended.before(),
+                            ended.after(),
+                            ended.outcome(),
+                            ended.decision(),
+                            ended.detail());
+        }
+        return ended.occurrence() instanceof Occurrence.Violated ? null : ended;
     }
 
     private void end(Output.Ended ended) {

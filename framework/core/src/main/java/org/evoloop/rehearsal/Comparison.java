@@ -1,7 +1,6 @@
 package org.evoloop.rehearsal;
 
 import java.util.ArrayList;
-import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
@@ -117,11 +116,19 @@ public final class Comparison {
     /** An event has ended in the converter. */
     public void ended(Ending ending, long atNanos) {
         Occurrence occurrence = ending.ended().occurrence();
+        if (occurrence instanceof Occurrence.Found && !other().awaits(occurrence) && early(occurrence) == null) {
+            // No monitor has reported it: the device was asked, or obeyed late.
+            other().find(occurrence, atNanos);
+        }
         recorded = ending;
         answered = null;
         other().turn(occurrence, atNanos);
         recorded = null;
-        Ending answer = answered == null ? earlyFor(occurrence) : answered;
+        Ending answer = answered;
+        if (answer == null) {
+            answer = early(occurrence);
+            early.remove(answer);
+        }
         if (ending.ended().outcome() != Outcome.STALE) {
             compared.compared(occurrence, ending.verdict(), answer == null ? null : answer.verdict());
         }
@@ -143,11 +150,9 @@ public final class Comparison {
         return recorded != null && Rehearsal.isSame(occurrence, recorded.ended().occurrence()) ? recorded : null;
     }
 
-    private @Nullable Ending earlyFor(Occurrence occurrence) {
-        for (Iterator<Ending> all = early.iterator(); all.hasNext(); ) {
-            Ending each = all.next();
+    private @Nullable Ending early(Occurrence occurrence) {
+        for (Ending each : early) {
             if (Rehearsal.isSame(each.ended().occurrence(), occurrence)) {
-                all.remove();
                 return each;
             }
         }

@@ -126,6 +126,15 @@ final class Rehearsal extends Chronicle {
         }
     }
 
+    /** The device is found before anything else has its turn. */
+    void find(Occurrence found, long atNanos) {
+        int before = core.waiting();
+        hear(found, null, atNanos);
+        if (core.waiting() > before) {
+            core.restore(core.rules(), core.snapshot().lastFirst());
+        }
+    }
+
     /** An event has ended in the converter: here it has its turn, after those that came before it. */
     void turn(Occurrence occurrence, long atNanos) {
         fire(atNanos);
@@ -143,6 +152,11 @@ final class Rehearsal extends Chronicle {
             continues = convert(atNanos);
         }
         settle(atNanos);
+    }
+
+    /** Whether an equal event was observed and has not ended here. */
+    boolean awaits(Occurrence occurrence) {
+        return like(occurrence) > 0;
     }
 
     /** How many equal events have not ended here; there may be two while a test's clock does not advance. */

@@ -10,6 +10,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
+import org.evoloop.core.Outcome;
 import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.LoopState;
 import org.evoloop.loop.ThreadingModel;
@@ -18,6 +19,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** A fault of one component affects only that component's work, is counted, and is logged with the component's name. */
 @Timeout(60)
@@ -161,6 +163,24 @@ class ContainedTest {
         // A guard that hangs is not evaluated again, so events that need it keep failing.
         continues(lamp, part == Faulty.Part.GUARD ? "dim" : "press");
         until(lamp.converter::stop);
+    }
+
+    /** The device has obeyed before, so the system must not stay behind. */
+    @ParameterizedTest
+    @EnumSource(names = {"SINGLE_CARRIER", "THREAD_PER_COMPONENT"})
+    void aTransitionIsTakenThoughItsEffectHangs(ThreadingModel threading) throws InterruptedException {
+        Faulty lamp = lamp(Faulty.Part.EFFECT, threading, this::hang);
+        provoke(lamp, "press");
+        await(begun);
+
+        clock.advance(LiveRobot.STEP_LIMIT);
+        until(() -> ended(lamp) == 1);
+        HistoryEntry press = lamp.converter.history().get(0);
+        assertThat(press.outcome()).isEqualTo(Outcome.FAILED);
+        assertThat(press.after()).isEqualTo(Robot.at("On", "On"));
+        assertThat(press.detail())
+                .isEqualTo(
+                        "it is unknown whether the effect beep was run: Lamp.execute: has not returned for 30000 ms");
     }
 
     @ParameterizedTest

@@ -89,6 +89,22 @@ class DeferredEventsTest {
     }
 
     @Test
+    void howeverManyWaitTheOneThatEndsTheWaitHasAPlace() throws InterruptedException {
+        build(evolved(false));
+        press("clean");
+        for (int count = 0; count < 9; count++) {
+            press("grind");
+        }
+        assertThat(converter.status().queue().dropped()).as("the ninth").isEqualTo(1);
+
+        press("cleaned");
+        assertThat(converter.knowledge().configuration()).hasToString("(Grinding, Grinding)");
+        assertThat(converter.status().queue().dropped()).isEqualTo(1);
+        assertThat(converter.status().queue().depth()).isZero();
+        converter.close();
+    }
+
+    @Test
     void unlessAGuardHoldsIsRefused() {
         assertThatThrownBy(() -> build(evolved(true)))
                 .isInstanceOf(ModelException.class)

@@ -112,6 +112,27 @@ class ExchangeUnderWayTest {
     }
 
     @Test
+    void theSystemFollowsALateEffectThoughNothingElseHappens() throws InterruptedException {
+        try (LiveRobot robot = new LiveRobot(threading, NewFunction.none(), 8, made -> {
+            made.converter.addExecute(made.device("Device", step -> {
+                hanging.countDown();
+                awaitDeaf(atLast);
+            }));
+        })) {
+            robot.panel.press("Clean");
+            await(hanging);
+            robot.converter.exchange("Device", robot.device("Spare"));
+            assertThat(robot.awaitHistory(2).detail())
+                    .isEqualTo("the device cannot tell where it is; it is taken to be in Off");
+
+            atLast.countDown();
+            assertThat(robot.awaitHistory(3).occurrence().label()).isEqualTo("found On");
+            assertThat(robot.states()).isEqualTo(at("On", "On"));
+            assertThat(robot.converter.status().doubt()).isEmpty();
+        }
+    }
+
+    @Test
     void aDeafAnalyzeThatWasExchangedCannotMixUpTheEventsOfItsSuccessor() throws InterruptedException {
         CountDownLatch returned = new CountDownLatch(1);
         EventAnalyze deaf = new EventAnalyze() {

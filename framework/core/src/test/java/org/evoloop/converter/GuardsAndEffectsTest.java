@@ -10,10 +10,13 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.Consumer;
 import org.evoloop.core.Outcome;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Step;
+import org.evoloop.evolution.Values;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.ModelException;
@@ -195,6 +198,29 @@ class GuardsAndEffectsTest {
         assertThat(log).containsExactly("sent press", "blink");
         assertThat(last().outcome()).isEqualTo(Outcome.FAILED);
         assertThat(last().detail()).isEqualTo("Device.effect beep: no buzzer");
+    }
+
+    @Test
+    void anEffectThatIsInterruptedEndsThePlanAndTheTransitionIsTaken() throws InterruptedException {
+        BlockingQueue<Values> seen = new LinkedBlockingQueue<>();
+        run(LAMP, machine("new", "Off press -> On", "On press -> Off", "Off dim -> Dim / beep, blink"), knowledge -> {
+            knowledge.effect("beep", () -> {
+                throw new InterruptedException("the program ends");
+            });
+            bindEffects(knowledge, "blink");
+            knowledge.function("Dim", visit -> seen.add(visit.values()));
+        });
+        panel.press("dim", Values.of("percent", 40));
+        converter.observe(panel);
+        converter.step();
+
+        assertThat(LiveRobot.take(seen)).isEqualTo(Values.of("percent", 40));
+        assertThat(converter.knowledge().configuration()).hasToString("(Off, Dim)");
+        assertThat(last().outcome()).isEqualTo(Outcome.FAILED);
+        assertThat(last().detail())
+                .isEqualTo("it is unknown whether the effect beep was run: Device.execute: the program ends;"
+                        + " the effect blink was not run: Device.execute: the program ends");
+        assertThat(log).isEmpty();
     }
 
     @Test

@@ -64,6 +64,8 @@ class QueueRoomTest {
                 protected void registerNewFunctions() {
                     function("Cleaning", visit -> {
                         LiveRobot.await(full);
+                        visit.raise("grind");
+                        visit.raise("grind");
                         visit.raise("cleaned");
                     });
                 }

@@ -5,6 +5,7 @@ import static org.evoloop.converter.Robot.at;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -15,8 +16,10 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Step;
 import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.ManualClock;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -54,6 +57,7 @@ class TwoDevicesTest {
     private final List<String> settled = new CopyOnWriteArrayList<>();
     private volatile boolean jammed;
     private volatile String unsettled = "";
+    private volatile @Nullable Event unanswered;
 
     private final class Part extends EventExecute {
         private final Set<String> sendable;
@@ -77,9 +81,20 @@ class TwoDevicesTest {
         }
 
         @Override
+        protected Optional<String> locate() throws IOException {
+            if (name().equals("Motor")) {
+                throw new IOException("the motor has no power");
+            }
+            return Optional.of("awake");
+        }
+
+        @Override
         protected void send(Step step) throws IOException {
             if (jammed && name().equals("Lock")) {
                 throw new IOException("jammed");
+            }
+            if (step.trigger().equals(unanswered)) {
+                throw new UnknownEffectException("no answer");
             }
             // The device's state when the event is sent: the knowledge has followed every earlier event.
             sent.add(name() + ":" + step.event() + " in "
@@ -150,6 +165,21 @@ class TwoDevicesTest {
                 .extracting(HistoryEntry::detail)
                 .containsExactly("wake", "unlock", "open", "close", "lock");
         assertThat(converter.status().events()).isEqualTo(new ConverterStatus.EventCounts(5, 5, 0, 0));
+    }
+
+    @Test
+    void theSecondIsAskedWhereTheDeviceIsAlsoIfTheFirstFailsToTell() {
+        unanswered = new Event("wake");
+        remote.press("wake");
+        LiveRobot.until(() -> converter.history().size() == 2);
+        assertThat(converter.history())
+                .extracting(HistoryEntry::outcome)
+                .containsExactly(Outcome.FAILED, Outcome.HANDLED);
+        assertThat(converter.knowledge().configuration()).isEqualTo(at("awake", "awake"));
+        assertThat(converter.status().doubt()).isEmpty();
+        assertThat(converter.status().components())
+                .extracting(ComponentStatus::lastFailure)
+                .contains("Motor.locate: the motor has no power");
     }
 
     @Test

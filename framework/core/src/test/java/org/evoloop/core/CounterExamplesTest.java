@@ -53,6 +53,19 @@ class CounterExamplesTest {
         assertThat(core.record()).isEqualTo("Clean");
     }
 
+    /** The event has failed, so nothing else would tell the new model that the device is elsewhere. */
+    @Test
+    void theSystemFollowsALateEffect() {
+        ScriptedCore core = new ScriptedCore(Scene.robot()).press("Clean").begins();
+        long first = core.number();
+
+        core.givenUp().asksInVain().sent(first, true);
+        assertThat(core.core.hasNext()).isTrue();
+        core.ready().planned();
+
+        assertThat(core.core.at()).hasToString("(On, On)");
+    }
+
     @Test
     void aSecondDoubtIsNotSettledByKnowingOfTheSecondStep() {
         ScriptedCore core = new ScriptedCore(Scene.bulb()).press("switch").begins();

@@ -64,6 +64,23 @@ class ExplorationTest {
         explore(scene, TO_THE_END);
     }
 
+    static Stream<Scene> ofTheGrinder() {
+        Scene scene = Scene.grinder();
+        return Stream.of(
+                        scene.with(4, Act.PRESS),
+                        scene.with(3, Act.PRESS).with(1, Act.OWN, Act.STOP),
+                        scene.with(2, Act.PRESS).with(1, Act.RAISE, Act.ASK, Act.FAIL),
+                        scene.with(2, Act.PRESS, Act.GIVE_UP).with(1, Act.OWN),
+                        scene.with(2, Act.PRESS).with(1, Act.GIVE_UP, Act.DISMISS, Act.END))
+                .flatMap(ExplorationTest::bestAndWorst);
+    }
+
+    @ParameterizedTest
+    @MethodSource("ofTheGrinder")
+    void allStoriesOfTheGrinder(Scene scene) {
+        explore(scene, TO_THE_END);
+    }
+
     static Stream<Scene> ofPlansThatBreakOff() {
         return Stream.of(OnFailure.GO_BACK, OnFailure.OTHER_WAY)
                 .flatMap(then -> Stream.of(Scene.robot(), Scene.bulb()).map(scene -> scene.onFailure(then)))

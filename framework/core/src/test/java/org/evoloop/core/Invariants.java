@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Event;
@@ -30,6 +31,7 @@ final class Invariants {
         Invariants invariants = new Invariants(before, input, said, after, world);
         return List.of(
                         invariants.recordIsDevice(),
+                        invariants.whatTheDeviceObeyedIsDone(),
                         invariants.oneAfterTheOther(),
                         invariants.sumIsRight(),
                         invariants.visitsEnd(),
@@ -37,7 +39,9 @@ final class Invariants {
                         invariants.nothingIsStuck(),
                         invariants.nothingIsDoneAgain(),
                         invariants.factsAreKept(),
-                        invariants.controllersHaveTheirPlaces())
+                        invariants.controllersHaveTheirPlaces(),
+                        invariants.theSystemFollowsTheDevice(),
+                        invariants.functionsRun())
                 .stream()
                 .filter(problem -> !problem.isEmpty())
                 .findFirst()
@@ -52,15 +56,19 @@ final class Invariants {
                 : "";
     }
 
-    /** First come, first served, and only when nothing is in progress. */
+    /** First come, first served, but for what is deferred, and only when nothing is in progress. */
     private String oneAfterTheOther() {
         for (Output output : said) {
             if (output instanceof Output.Begin begin) {
                 if (before.work() != null && !isIn(before.work(), Work.Stage.INTERRUPTED)) {
                     return "order: " + begin + " while " + before.work() + " is in progress";
                 }
+                if (isDeferred(begin.pending().occurrence(), before)) {
+                    return "order: " + begin + ", which " + before.at() + " defers";
+                }
                 List<Pending> ahead = new ArrayList<>(before.waiting());
                 ahead.retainAll(after.waiting());
+                ahead.removeIf(this::isDeferred);
                 int place = before.waiting().indexOf(begin.pending());
                 if (!ahead.isEmpty() && before.waiting().indexOf(ahead.get(0)) < place) {
                     return "order: " + begin + " before " + ahead.get(0);
@@ -145,15 +153,18 @@ final class Invariants {
 
     private String nothingIsStuck() {
         Work work = after.work();
-        boolean waits = isIn(work, Work.Stage.INTERRUPTED, Work.Stage.RESUMED);
-        if (work != null && work.decision() != null && !work.sending() && !waits && world.asked == null) {
+        boolean isToGoOn = isIn(work, Work.Stage.INTERRUPTED, Work.Stage.RESUMED);
+        if (work != null && work.decision() != null && !work.sending() && !isToGoOn && world.asked == null) {
             return "stuck: nobody has to do anything for " + work;
         }
         boolean drained = after.waiting().isEmpty() && work == null;
         if (after.open() && drained && after.visit().over()) {
             return "stuck: visit " + after.visit().number() + " is over and no other has begun";
         }
-        return input instanceof Input.Ready && !drained && (work == null || isIn(work, Work.Stage.INTERRUPTED))
+        boolean waits = after.waiting().stream().anyMatch(pending -> !isDeferred(pending));
+        return input instanceof Input.Ready
+                        && (waits || work != null)
+                        && (work == null || isIn(work, Work.Stage.INTERRUPTED))
                 ? "stuck: nothing is begun"
                 : "";
     }
@@ -189,19 +200,82 @@ final class Invariants {
         return "";
     }
 
-    /** A controller's event is lost exactly if as many wait as there is room for, whatever else waits. */
+    /**
+     * A controller's event is lost exactly if as many of those wait as there is room for, whatever else waits. What the
+     * present state defers, and the others, have places of their own.
+     */
     private String controllersHaveTheirPlaces() {
         int capacity = world.rules().queueCapacity();
         int places = Math.max(capacity, before.work() == null ? 1 : 0);
-        boolean room = before.waiting().stream().filter(Pending::mayBeLost).count() < places;
         for (Output output : said) {
-            boolean lost = output instanceof Output.Dropped && room;
-            boolean crowds = output instanceof Output.Queued queued && !room && isControllers(queued.occurrence());
-            if (lost || crowds) {
+            if (output instanceof Output.Dropped dropped && hasRoom(dropped.occurrence(), places)) {
+                return "room: " + output + ", while there wait " + before.waiting();
+            }
+            if (output instanceof Output.Queued queued
+                    && isControllers(queued.occurrence())
+                    && !hasRoom(queued.occurrence(), places)) {
                 return "room: " + output + ", while there wait " + before.waiting();
             }
         }
         return "";
+    }
+
+    private boolean hasRoom(Occurrence occurrence, int places) {
+        List<Pending> controllers =
+                before.waiting().stream().filter(Pending::mayBeLost).toList();
+        boolean waits = isDeferred(occurrence, before);
+        return controllers.size() < places
+                || controllers.stream()
+                                .filter(pending -> isDeferred(pending.occurrence(), before) == waits)
+                                .count()
+                        < places;
+    }
+
+    private boolean isDeferred(Pending pending) {
+        return isDeferred(pending.occurrence(), before) && isDeferred(pending.occurrence(), after);
+    }
+
+    private boolean isDeferred(Occurrence occurrence, Snapshot when) {
+        return occurrence instanceof Occurrence.Heard heard
+                && !isFact(heard)
+                && world.rules().table().defers(when.at(), heard.event());
+    }
+
+    /** When nothing is left to be done, device and system are where they can be together, unless something failed. */
+    private String theSystemFollowsTheDevice() {
+        boolean quiet = after.open()
+                && after.work() == null
+                && !after.followOwed()
+                && after.waiting().stream().allMatch(this::isDeferred)
+                && new Core(world.rules(), after, output -> {}).doubt().isEmpty();
+        return quiet && !world.mayBeApart && !world.isTogether(after.at())
+                ? "apart: nothing leads to " + after.at()
+                : "";
+    }
+
+    /** Whenever nothing is left to be done in a new state, its function has been started in this visit. */
+    private String functionsRun() {
+        boolean quiet = after.open() && after.work() == null && !after.visit().over();
+        return quiet
+                        && world.rules().table().isNew(after.at().evolved())
+                        && world.functionOf != after.visit().number()
+                ? "function: that of " + after.at().evolved() + " does not run in " + after.visit()
+                : "";
+    }
+
+    /** If the device has obeyed, the transition is taken, whatever happens to the rest of the plan. */
+    private String whatTheDeviceObeyedIsDone() {
+        Work last = before.work();
+        Decision decision = last == null ? null : last.decision();
+        boolean brokenOff =
+                input instanceof Input.Failed || input instanceof Input.GivenUp || input instanceof Input.Dismissed;
+        return brokenOff
+                        && decision != null
+                        && last.taken() == decision.steps().size()
+                        && last.effectsRun() < decision.effects().size()
+                        && !after.at().evolved().equals(decision.after().evolved())
+                ? "obeyed: after " + last + " the system is in " + after.at()
+                : "";
     }
 
     private boolean isControllers(Occurrence occurrence) {

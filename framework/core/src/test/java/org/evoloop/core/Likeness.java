@@ -57,6 +57,8 @@ final class Likeness {
                 world.asked == null ? null : world.asked.getClass(),
                 world.answer,
                 world.plans,
+                world.mayBeApart,
+                world.functionOf == now.visit().number(),
                 world.phase,
                 world.evolved,
                 world.left);

@@ -216,28 +216,69 @@ enum Mutation {
         Snapshot undo(Snapshot before, Input input, Snapshot after) {
             Work work = after.work();
             return input instanceof Input.Recovered && work != null
-                    ? Snapshots.work(after, new Work(work.pending(), null, 0, 0, "", Work.Stage.READY, List.of()))
+                    ? Snapshots.work(after, begun(work.pending()))
                     : after;
         }
     },
     FACTS_TAKE_UP_CONTROLLERS_PLACES("room", Scene.robot().with(1, Act.PRESS).with(2, Act.OWN)) {
-        private boolean isCrowdedOut(Snapshot before, Input input) {
-            return input instanceof Input.Observed observed
-                    && observed.occurrence().source() == Source.CONTROLLER
-                    && before.open()
-                    && before.waiting().size() >= scene.rules().queueCapacity();
+        @Override
+        boolean isLost(Snapshot before, Input input) {
+            return isLostInAFullQueue(before, input);
+        }
+    },
+    DEFERRED_EVENTS_TAKE_UP_THE_PLACES_OF_OTHERS("room", Scene.grinder().with(4, Act.PRESS)) {
+        @Override
+        boolean isLost(Snapshot before, Input input) {
+            return isLostInAFullQueue(before, input);
+        }
+    },
+    WHAT_A_STATE_DEFERS_BEGINS_ALL_THE_SAME("order", Scene.grinder().with(2, Act.PRESS)) {
+        private boolean waits(Snapshot before, Input input) {
+            return input instanceof Input.Ready
+                    && before.work() == null
+                    && before.waiting().size() == 1;
         }
 
         @Override
         Snapshot undo(Snapshot before, Input input, Snapshot after) {
-            return isCrowdedOut(before, input) ? Snapshots.lost(before) : after;
+            return waits(before, input)
+                    ? Snapshots.waiting(
+                            Snapshots.work(after, begun(before.waiting().get(0))), List.of())
+                    : after;
         }
 
         @Override
         List<Output> unsay(Snapshot before, Input input, List<Output> said) {
-            return isCrowdedOut(before, input)
-                    ? List.of(new Output.Dropped(((Input.Observed) input).occurrence(), true))
+            return waits(before, input)
+                    ? List.of(new Output.Begin(before.waiting().get(0)))
                     : said;
+        }
+    },
+    A_FUNCTION_IS_NOT_STARTED("function", Scene.robot().with(2, Act.PRESS)) {
+        @Override
+        List<Output> unsay(Snapshot before, Input input, List<Output> said) {
+            return without(said, Output.Start.class::isInstance);
+        }
+    },
+    A_LATE_EFFECT_MOVES_THE_DEVICE_ONLY("apart", Scene.robot().with(1, Act.PRESS, Act.GIVE_UP)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.Sent ? Snapshots.followOwed(after, before.followOwed()) : after;
+        }
+    },
+    AN_ANSWER_MOVES_THE_DEVICE_ONLY("apart", Scene.bulb().with(1, Act.PRESS, Act.OWN, Act.GIVE_UP)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.Located ? Snapshots.followOwed(after, before.followOwed()) : after;
+        }
+    },
+    AN_EFFECT_THAT_IS_GIVEN_UP_KEEPS_THE_STATE(
+            "obeyed", Scene.grinder().with(2, Act.PRESS).with(1, Act.GIVE_UP)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.GivenUp
+                    ? Snapshots.at(after, after.at().withEvolved(before.at().evolved()))
+                    : after;
         }
     },
     WHAT_ENDS_IS_NOT_COUNTED("sum", Scene.bulb().with(1, Act.PRESS)) {
@@ -261,9 +302,18 @@ enum Mutation {
     /** The core without the mechanism. */
     Wiring wiring() {
         return (rules, before, input) -> {
+            if (isLost(before, input)) {
+                Occurrence lost = ((Input.Observed) input).occurrence();
+                return new Wiring.Result(List.of(new Output.Dropped(lost, true)), Snapshots.lost(before));
+            }
             Wiring.Result real = Wiring.REAL.apply(rules, ahead(before, input), input);
             return new Wiring.Result(unsay(before, input, real.said()), undo(before, input, real.after()));
         };
+    }
+
+    /** Whether an occurrence is lost that the core would take. */
+    boolean isLost(Snapshot before, Input input) {
+        return false;
     }
 
     /** The snapshot that the core is given before an input. */
@@ -277,6 +327,18 @@ enum Mutation {
 
     List<Output> unsay(Snapshot before, Input input, List<Output> said) {
         return said;
+    }
+
+    /** Whether a press finds as many occurrences as there are places, whatever these are. */
+    boolean isLostInAFullQueue(Snapshot before, Input input) {
+        return input instanceof Input.Observed observed
+                && observed.occurrence().source() == Source.CONTROLLER
+                && before.open()
+                && before.waiting().size() >= scene.rules().queueCapacity();
+    }
+
+    private static Work begun(Pending pending) {
+        return new Work(pending, null, 0, 0, "", Work.Stage.READY, List.of());
     }
 
     private static Work asking(Pending pending, Snapshot before) {

@@ -78,6 +78,8 @@ public final class RandomPair {
             for (String event : events) {
                 if (random.nextInt(3) > 0) {
                     builder.transition(transition(state, event, pick(states), effectRate), "");
+                } else if (effectRate > 0 && random.nextInt(4) == 0) {
+                    builder.defers(state, new Event(event));
                 }
             }
         }

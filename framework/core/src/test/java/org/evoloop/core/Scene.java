@@ -76,12 +76,33 @@ record Scene(
         return of("bulb", PaperModels.lightBulb(), Map.of("wait", "timeout"), "switch", "switch", 2);
     }
 
+    /** A machine that defers an event in a new state, and has effects where it leaves that. */
+    static Scene grinder() {
+        return of(
+                "grinder",
+                new ModelPair(
+                        machine("grinder", "Off start -> On", "On stop -> Off", "On grind -> On"),
+                        machine(
+                                "cleaning grinder",
+                                "Off start -> Cleaning",
+                                "Cleaning stop -> Off / beep, blink",
+                                "Cleaning timeout -> On / beep, blink",
+                                "Cleaning defers grind",
+                                "On stop -> Off",
+                                "On grind -> On")),
+                Map.of("Cleaning", "timeout"),
+                "start stop grind",
+                "stop",
+                2);
+    }
+
     /**
      * A scene in which nothing happens.
      *
      * @param timers the time event of each state that has one
      * @param sendable names separated by spaces
-     * @param spontaneous likewise, the events that the device does by itself although they can be sent
+     * @param spontaneous likewise, the events that the device does by itself although they can be sent; what cannot be
+     *     sent it does by itself, too
      */
     static Scene of(
             String name,
@@ -91,11 +112,8 @@ record Scene(
             String spontaneous,
             int queueCapacity) {
         Set<Event> sent = events(sendable);
-        Set<Event> own = events(spontaneous);
         Rules rules = rules(pair, timers, sendable, spontaneous, queueCapacity);
-        pair.original().triggers().stream()
-                .filter(event -> !sent.contains(event))
-                .forEach(own::add);
+        Set<Event> own = rules.table().device().spontaneous();
         Set<Event> raised = pair.evolved().triggers().stream()
                 .filter(event -> !pair.original().triggers().contains(event))
                 .collect(Collectors.toSet());
@@ -104,7 +122,12 @@ record Scene(
 
     private static Rules rules(
             ModelPair pair, Map<String, String> timers, String sendable, String spontaneous, int queueCapacity) {
-        DecisionTable table = DecisionTable.compile(pair, new DeviceEvents(events(sendable), events(spontaneous)));
+        Set<Event> sent = events(sendable);
+        Set<Event> own = events(spontaneous);
+        pair.original().triggers().stream()
+                .filter(event -> !sent.contains(event))
+                .forEach(own::add);
+        DecisionTable table = DecisionTable.compile(pair, new DeviceEvents(sent, own));
         return new Rules(table, state -> timersOf(timers, state), queueCapacity);
     }
 

@@ -80,6 +80,10 @@ final class ScriptedCore {
         return input(new Input.GivenUp(number(), "it was given up", now));
     }
 
+    ScriptedCore runsEffect() {
+        return input(new Input.Running(number())).input(new Input.EffectRun(number(), "", now));
+    }
+
     /** The device is asked for its state and cannot report it. */
     ScriptedCore asksInVain() {
         ready().planned();

@@ -88,6 +88,22 @@ final class Snapshots {
         return pending;
     }
 
+    static Snapshot followOwed(Snapshot of, boolean owed) {
+        return new Snapshot(
+                of.open(),
+                of.at(),
+                of.doubt(),
+                of.steps(),
+                of.lastStepNanos(),
+                of.visit(),
+                of.waiting(),
+                of.losing(),
+                owed,
+                of.work(),
+                of.tally(),
+                of.nowNanos());
+    }
+
     private static Snapshot made(
             Snapshot of,
             Configuration at,

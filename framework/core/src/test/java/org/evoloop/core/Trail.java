@@ -68,7 +68,8 @@ final class Trail {
                 String.valueOf(now.waiting().size()),
                 doing,
                 now.visit().over() ? "over" : "visit",
-                now.visit().deadlines().isEmpty() ? "-" : "timer");
+                now.visit().deadlines().isEmpty() ? "-" : "timer",
+                now.followOwed() ? "owed" : "-");
     }
 
     private void apply(String[] words) {

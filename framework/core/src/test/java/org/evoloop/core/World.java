@@ -6,6 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Event;
@@ -47,6 +48,16 @@ final class World {
     /** What analyze may have decided since the occurrence began, on the states that it saw. */
     Set<Decision> plans = new LinkedHashSet<>();
 
+    /**
+     * Whether device and system were left in states that do not go together by an event that failed or was ignored,
+     * that a function had the device do, or that came when they were in such states already; or by other models, which
+     * take over such states as they are.
+     */
+    boolean mayBeApart;
+
+    /** The last visit whose function was started, or continues in other models; 0 if there is none. */
+    long functionOf;
+
     Phase phase = Phase.CLOSED;
     /** Whether the scene's next rules apply. */
     boolean evolved;
@@ -70,6 +81,8 @@ final class World {
         asked = same.asked;
         answer = same.answer;
         plans = new LinkedHashSet<>(same.plans);
+        mayBeApart = same.mayBeApart;
+        functionOf = same.functionOf;
         phase = same.phase;
         evolved = same.evolved;
         left = new EnumMap<>(same.left);
@@ -112,15 +125,28 @@ final class World {
         return unreported.stream().noneMatch(token -> token instanceof Token.Seen);
     }
 
+    /** Whether expected events can lead there, so that the new model would not follow if the device were found there. */
+    boolean isTogether(Configuration at) {
+        return !rules().table().find(at, at.original()).leavesState();
+    }
+
     /** Continues after the core has received an input. */
     void heard(Input input, List<Output> said, Snapshot after) {
         Work work = after.work();
         if (input instanceof Input.Sending && (work == null || !work.sending())) {
             noLongerSent();
         }
+        mayBeApart |= input instanceof Input.Evolved;
         for (Output output : said) {
             if (output instanceof Output.Begin) {
                 plans.clear();
+            } else if (output instanceof Output.Start start) {
+                functionOf = start.visit();
+            } else if (output instanceof Output.Ended ended
+                    && (ended.outcome() != Outcome.HANDLED
+                            || ended.decision() instanceof Decision.Sending
+                            || !rules().table().configurations().contains(ended.before()))) {
+                mayBeApart = true;
             } else if (output instanceof Output.Send
                     || output instanceof Output.Run
                     || output instanceof Output.Locate) {
@@ -128,6 +154,7 @@ final class World {
                 answer = null;
             }
         }
+        mayBeApart &= !isTogether(after.at());
         if (work == null || work.decision() == null) {
             asked = null;
             answer = null;

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.check.temporal.Property;
@@ -14,6 +15,7 @@ import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.converter.UnknownEffectException;
 import org.evoloop.core.Outcome;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Step;
@@ -24,6 +26,7 @@ import org.evoloop.rehearsal.Verdict;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.StateMachineBuilder;
 import org.evoloop.time.ManualClock;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -37,6 +40,12 @@ class DryRunTest {
 
     private final ManualClock clock = new ManualClock();
     private boolean broken;
+
+    /** Whether no step is answered. */
+    private boolean silent;
+
+    /** Where the device says that it is; null if it does not know. */
+    private @Nullable String answer;
 
     private static StateMachineBuilder player(String name) {
         return StateMachine.named(name)
@@ -69,28 +78,43 @@ class DryRunTest {
         }
     }
 
+    private final class Device extends EventExecute {
+        @Override
+        protected Set<String> sendableEvents() {
+            return Set.of("play", "stop", "pause");
+        }
+
+        @Override
+        protected void send(Step step) throws IOException {
+            if (broken) {
+                throw new IOException("the cable is out");
+            }
+            if (silent) {
+                throw new UnknownEffectException("no answer");
+            }
+        }
+
+        @Override
+        protected Optional<String> locate() {
+            return Optional.ofNullable(answer);
+        }
+
+        private void obeysLate() {
+            tookEffect();
+        }
+    }
+
     /**
-     * Runs one process. A deed is a press, with {@code !} one of the device's own buttons, or a number of milliseconds
-     * to wait.
+     * Runs one process. A deed is a press or several at once, joined by {@code +}, with {@code !} one of the device's own buttons, {@code late} if the device
+     * obeys a step that was not answered, or a number of milliseconds to wait.
      */
     private void live(NewFunction function, String... deeds) throws InterruptedException {
         Buttons buttons = new Buttons();
         SystemEventConverter converter =
                 new SystemEventConverter(LoopConfig.defaults("player", clock).withoutThreads());
         converter.addMonitor(buttons);
-        converter.addExecute(new EventExecute("Device") {
-            @Override
-            protected Set<String> sendableEvents() {
-                return Set.of("play", "stop", "pause");
-            }
-
-            @Override
-            protected void send(Step step) throws IOException {
-                if (broken) {
-                    throw new IOException("the cable is out");
-                }
-            }
-        });
+        Device device = new Device();
+        converter.addExecute(device);
         converter.addKnowledge(new StateKnowledge(YESTERDAY) {
             @Override
             protected void registerNewFunctions() {
@@ -104,10 +128,15 @@ class DryRunTest {
             clock.advance(Duration.ofMillis(1));
             if (Character.isDigit(deed.charAt(0))) {
                 clock.advance(Duration.ofMillis(Long.parseLong(deed)));
+            } else if (deed.equals("late")) {
+                device.obeysLate();
             } else if (deed.startsWith("!")) {
                 buttons.acted(deed.substring(1));
             } else {
-                buttons.press(deed);
+                for (String event : deed.split("\\+")) {
+                    buttons.press(event);
+                    converter.observe(buttons);
+                }
             }
             converter.observe(buttons);
             while (converter.step()) {
@@ -138,6 +167,37 @@ class DryRunTest {
         DryRun.Result result = run(YESTERDAY);
         assertThat(result.differences()).isEmpty();
         assertThat(result.events()).isEqualTo(15);
+    }
+
+    @Test
+    void aDeviceThatWasInDoubtWasWhereItWasFound() throws InterruptedException {
+        silent = true;
+        answer = "Playing";
+        live(NewFunction.none(), "play+pause");
+        silent = false;
+        live(NewFunction.none(), "play", "fade", "2500");
+
+        DryRun.Result same = run(YESTERDAY);
+        assertThat(same.differences()).isEmpty();
+        assertThat(same.events()).as("with the device, found in Playing").isEqualTo(6);
+        assertThat(outcomes(fading("tm(2s)", "Paused")))
+                .hasSize(1)
+                .first()
+                .asString()
+                .startsWith("tm(2s) | ");
+    }
+
+    @Test
+    void aStepThatHadItsEffectLateHadIt() throws InterruptedException {
+        silent = true;
+        live(NewFunction.none(), "play", "late");
+        silent = false;
+        live(NewFunction.none(), "pause");
+
+        DryRun.Result same = run(YESTERDAY);
+        assertThat(same.differences()).isEmpty();
+        assertThat(same.events()).isEqualTo(3);
+        assertThat(outcomes(new ModelPair(DEVICE, player("new").build()))).isEmpty();
     }
 
     @Test

@@ -128,8 +128,8 @@ final class Rig implements LoopListener<Object> {
         }
 
         @Override
-        public boolean hasRoom() {
-            return backlog.hasRoom();
+        public boolean hasRoom(Object occurrence) {
+            return backlog.hasRoom(occurrence);
         }
 
         @Override

@@ -45,7 +45,8 @@ final class StateText {
                 bit(swapped),
                 bit(now.visit().over()),
                 bit(!now.visit().deadlines().isEmpty()),
-                bit(now.steps() > 0)));
+                bit(now.steps() > 0),
+                bit(now.followOwed())));
         all.append(" doubt ").append(doubt(now.doubt())).append(" work ").append(work(now.work()));
         for (Pending pending : now.waiting()) {
             all.append(text(pending));

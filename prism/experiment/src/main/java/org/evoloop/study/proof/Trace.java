@@ -70,6 +70,8 @@ final class Trace {
         Work work = core.snapshot().work();
         if (random.nextInt(3) > 0 && work != null) {
             proceed(work);
+        } else if (random.nextInt(3) > 0 && core.isOpen() && core.hasNext()) {
+            apply(new Input.Ready(), "READY_FOR");
         } else if (random.nextInt(3) > 0) {
             occur();
         } else {
@@ -136,7 +138,7 @@ final class Trace {
 
     private void occur() {
         long visit = core.snapshot().visit().number() - random.nextInt(2);
-        Event event = any(evolution.events());
+        Event event = any(random.nextBoolean() ? evolution.events() : List.copyOf(evolution.sendable()));
         int number = evolution.number(event);
         int former = visit == core.snapshot().visit().number() ? 1 : 2;
         switch (random.nextInt(visit > 0 ? 6 : 3)) {
