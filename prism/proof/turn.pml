@@ -293,12 +293,32 @@ inline again() {
   fi
 }
 
+/* The occurrence in progress fails. After a fact that was not decided, the new model follows the device. */
+inline break_off() {
+  if
+  :: !decided && work.from != NONE ->
+#ifdef A_FACT_THAT_FAILS_MOVES_THE_DEVICE_ONLY
+    conclude(false)
+#else
+    find(device_at);
+    if
+    :: LEAVES(code) -> leave()
+    :: else -> skip
+    fi;
+    plan = code;
+    decided = 1;
+    arrive()
+#endif
+  :: else -> conclude(true)
+  fi
+}
+
 inline failed(id_) {
   if
 #ifdef A_STATE_IS_NOT_ENTERED_AGAIN
   :: busy && work.id == (id_) -> end_work(); ended()
 #else
-  :: busy && work.id == (id_) -> conclude(true)
+  :: busy && work.id == (id_) -> break_off()
 #endif
   :: else -> skip
   fi
@@ -314,7 +334,7 @@ inline given_up(id_) {
 #ifdef GIVING_UP_LEAVES_NO_DOUBT
     ; no_doubt()
 #endif
-  :: busy && work.id == (id_) && stage != SENDING -> conclude(true)
+  :: busy && work.id == (id_) && stage != SENDING -> break_off()
   :: else -> skip
   fi
 }

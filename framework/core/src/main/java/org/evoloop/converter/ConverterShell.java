@@ -164,7 +164,8 @@ final class ConverterShell implements LoopListener<Occurrence> {
     }
 
     private void tookEffect(EventExecute execute, boolean inOrder) {
-        if (driver.tookEffect(execute, inOrder)) {
+        // Out of order, the component that sent it is about to return, and the loop looks then.
+        if (driver.tookEffect(execute, inOrder) && inOrder) {
             loop.look();
         }
     }

@@ -18,6 +18,7 @@ import org.jspecify.annotations.Nullable;
 final class Conversion {
     static final String FOUND_MEANWHILE = "the device was found meanwhile";
 
+    private static final String DISMISSED = "dismissed";
     private static final String PROCESS_ENDED = "the converter's process ended meanwhile";
 
     /** How often the device may overtake the plans for one occurrence. */
@@ -168,7 +169,7 @@ final class Conversion {
     private void arrive() {
         Decision decision = Objects.requireNonNull(progress.decision());
         Occurrence occurrence = progress.pending().occurrence();
-        String failedEffects = progress.failedEffects();
+        String failures = progress.failures();
         long visit = ledger.stay.number();
         ledger.place.moveEvolved(decision.after(), ledger.out);
         if (decision.leavesState()) {
@@ -176,7 +177,7 @@ final class Conversion {
             ledger.enter(transition, transition == null ? Set.of() : transition.keeps());
         }
         progress.end();
-        ledger.ended(occurrence, decision.before(), outcome(decision, failedEffects), decision, failedEffects);
+        ledger.ended(occurrence, decision.before(), outcome(decision, failures), decision, failures);
         if (decision instanceof Decision.Impossible && decision.transition() != null) {
             // Its timers restart: what is impossible now may be possible next time.
             ledger.stay.leave(ledger.out);
@@ -186,11 +187,11 @@ final class Conversion {
         ledger.start(visit, again);
     }
 
-    private static Outcome outcome(Decision decision, String failedEffects) {
+    private static Outcome outcome(Decision decision, String failures) {
         if (decision instanceof Decision.NotAcceptable || decision instanceof Decision.Refused) {
             return Outcome.IGNORED;
         }
-        return decision instanceof Decision.Impossible || !failedEffects.isEmpty() ? Outcome.FAILED : Outcome.HANDLED;
+        return decision instanceof Decision.Impossible || !failures.isEmpty() ? Outcome.FAILED : Outcome.HANDLED;
     }
 
     /** The plan has been overtaken: the occurrence is decided again, before all others. */
@@ -221,7 +222,7 @@ final class Conversion {
         if (broken != null) {
             retry(pending.after(broken), reason);
         } else {
-            breakOff(number, Outcome.FAILED, before == null ? reason : before.reason() + "; then " + reason);
+            breakOff(number, before == null ? reason : before.reason() + "; then " + reason);
         }
     }
 
@@ -246,19 +247,48 @@ final class Conversion {
         return isPossible ? new BrokenPlan(then, reason, begun, all) : null;
     }
 
+    /** Analyze or plan does not want to do anything about the occurrence in progress. */
+    void dismiss(long number) {
+        if (hasObeyed(number)) {
+            breakOff(number, DISMISSED);
+        } else {
+            conclude(number, Outcome.IGNORED, DISMISSED);
+        }
+    }
+
+    /** Whether nothing is left of the plan but effects. */
+    private boolean hasObeyed(long number) {
+        return progress.isOf(number) && progress.step() == null && progress.effect() != null;
+    }
+
     /**
-     * The plan of the occurrence in progress is not carried out to its end. If only effects were left, the device has
-     * obeyed, so the transition is taken without them.
+     * The occurrence in progress fails. What needs no component is done all the same: if the device has obeyed, the
+     * transition is taken, without the effects that are left; after a fact that was not decided, the new model follows
+     * the device.
      */
-    void breakOff(long number, Outcome outcome, String reason) {
-        if (!progress.isOf(number) || progress.step() != null || progress.effect() == null) {
-            conclude(number, outcome, reason);
-            return;
+    private void breakOff(long number, String reason) {
+        if (hasObeyed(number)) {
+            if (progress.isRunning()) {
+                progress.interruptEffect(reason);
+            }
+            progress.skipEffects(reason);
+            arrive();
+        } else if (progress.isOf(number) && progress.isUndecidedFact()) {
+            State from = Objects.requireNonNull(progress.pending().from());
+            State there = ledger.place.at().original();
+            follow(ledger.rules.table().find(ledger.place.at().withOriginal(from), there), reason);
+        } else {
+            conclude(number, Outcome.FAILED, reason);
         }
-        if (progress.isRunning()) {
-            progress.interruptEffect(reason);
+    }
+
+    /** @param failure what has failed before; empty if nothing has */
+    private void follow(Decision found, String failure) {
+        if (found.leavesState()) {
+            ledger.stay.leave(ledger.out);
         }
-        progress.skipEffects(reason);
+        progress.decide(found);
+        progress.fail(failure);
         arrive();
     }
 
@@ -283,7 +313,7 @@ final class Conversion {
     void giveUp(long number, String reason) {
         Step step = stepOnItsWay(number);
         List<Occurrence> meanwhile = progress.meanwhile();
-        breakOff(number, Outcome.FAILED, reason);
+        breakOff(number, reason);
         if (step != null) {
             String why = "it is unknown whether " + step.trigger() + " had its effect: " + reason;
             ledger.doubt(why, number, step, meanwhile);
@@ -348,11 +378,7 @@ final class Conversion {
             ledger.place.moveDevice(state, ledger.out);
             // Facts that wait are older than the answer, and may lead the new model elsewhere.
             ledger.followOwed |= ledger.line.holdsFacts();
-            if (found.leavesState()) {
-                ledger.stay.leave(ledger.out);
-            }
-            progress.decide(found);
-            arrive();
+            follow(found, "");
         }
     }
 }

@@ -149,7 +149,7 @@ public final class Core implements Inputs {
     @Override
     public void dismissed(long number, long atNanos) {
         ledger.isAt(atNanos);
-        conversion.breakOff(number, Outcome.IGNORED, "dismissed");
+        conversion.dismiss(number);
     }
 
     @Override

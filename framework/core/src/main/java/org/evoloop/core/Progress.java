@@ -16,7 +16,7 @@ final class Progress {
     private @Nullable Decision decision;
     private int taken;
     private int effectsRun;
-    private String failedEffects = "";
+    private String failures = "";
     private Work.Stage stage = Work.Stage.READY;
     private List<Occurrence> meanwhile = List.of();
 
@@ -31,7 +31,7 @@ final class Progress {
             decision = work.decision();
             taken = work.taken();
             effectsRun = work.effectsRun();
-            failedEffects = work.failedEffects();
+            failures = work.failedEffects();
             stage = work.stage();
             meanwhile = work.meanwhile();
         }
@@ -40,7 +40,7 @@ final class Progress {
     /** A copy as a value; null if nothing is in progress. */
     @Nullable
     Work work() {
-        return pending == null ? null : new Work(pending, decision, taken, effectsRun, failedEffects, stage, meanwhile);
+        return pending == null ? null : new Work(pending, decision, taken, effectsRun, failures, stage, meanwhile);
     }
 
     /** Whether nothing is in progress. */
@@ -64,9 +64,14 @@ final class Progress {
         return decision;
     }
 
-    /** The failures of its effects; empty if there were none. */
-    String failedEffects() {
-        return failedEffects;
+    /** What has failed, though the plan continues; empty if nothing has. */
+    String failures() {
+        return failures;
+    }
+
+    /** Whether it is a fact that the record has followed, and about which nothing is decided yet. */
+    boolean isUndecidedFact() {
+        return decision == null && pending != null && pending.from() != null;
     }
 
     /** What the device did by itself while the step was being sent, or while it was asked for its state. */
@@ -124,7 +129,7 @@ final class Progress {
         decision = null;
         taken = 0;
         effectsRun = 0;
-        failedEffects = "";
+        failures = "";
         becomes(Work.Stage.READY);
     }
 
@@ -167,7 +172,12 @@ final class Progress {
     void ran(String failure) {
         effectsRun++;
         stage = Work.Stage.READY;
-        failedEffects += failedEffects.isEmpty() || failure.isEmpty() ? failure : "; " + failure;
+        fail(failure);
+    }
+
+    /** Notes what has failed, if not empty. */
+    void fail(String failure) {
+        failures += failures.isEmpty() || failure.isEmpty() ? failure : "; " + failure;
     }
 
     /** The effect being run does not report its end. */

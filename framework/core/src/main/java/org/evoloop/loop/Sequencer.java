@@ -85,7 +85,7 @@ final class Sequencer<O> {
         }
     }
 
-    /** The intake may have an occurrence that was not offered. */
+    /** The intake may have come to hold an occurrence that was not offered. */
     void look() {
         lock.acquire();
         try {
@@ -114,9 +114,10 @@ final class Sequencer<O> {
             return;
         }
         busy = first;
+        // Before the work is given: a thread that is awake takes it at once, and its time runs from then on.
+        supervisor.begun();
         CarrierThread carrier = first.give(cycle, next);
         if (carrier != null) {
-            supervisor.begun();
             lock.wakeAfterRelease(carrier);
         }
     }

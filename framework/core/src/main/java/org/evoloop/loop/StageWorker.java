@@ -109,6 +109,7 @@ final class StageWorker<I> extends Worker {
             if (stuckSince == givenCycle) {
                 stuckIn = null;
                 stuckSince = 0;
+                sequencer.look();
             }
         }
     }

@@ -35,7 +35,7 @@ final class Supervisor<O> {
     /** An occurrence has begun; the lock is held. */
     void begun() {
         stepBegins();
-        if (!scheduled) {
+        if (watches && !scheduled) {
             scheduled = true;
             clock.schedule(limit, this::look);
         }

@@ -67,6 +67,17 @@ class CounterExamplesTest {
     }
 
     @Test
+    void theSystemFollowsAFactAboutWhichAnalyzeFails() {
+        ScriptedCore core = new ScriptedCore(Scene.robot()).own("Clean").ready();
+
+        core.input(new Input.Failed(core.number(), "analyze failed", 9));
+
+        assertThat(core.core.at()).hasToString("(On, On)");
+        assertThat(core.core.tally().failed()).isEqualTo(1);
+        assertThat(core.core.isVisitOver()).isFalse();
+    }
+
+    @Test
     void aSecondDoubtIsNotSettledByKnowingOfTheSecondStep() {
         ScriptedCore core = new ScriptedCore(Scene.bulb()).press("switch").begins();
         core.givenUp().asksInVain().press("switch").begins();

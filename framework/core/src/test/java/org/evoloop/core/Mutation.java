@@ -272,6 +272,23 @@ enum Mutation {
             return input instanceof Input.Located ? Snapshots.followOwed(after, before.followOwed()) : after;
         }
     },
+    A_FACT_THAT_FAILS_MOVES_THE_DEVICE_ONLY("apart", Scene.robot().with(1, Act.OWN, Act.FAIL)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.Failed
+                    ? Snapshots.at(after, after.at().withEvolved(before.at().evolved()))
+                    : after;
+        }
+
+        @Override
+        List<Output> unsay(Snapshot before, Input input, List<Output> said) {
+            return said.stream()
+                    .map(output -> input instanceof Input.Failed && output instanceof Output.Enter enter
+                            ? new Output.Enter(enter.visit(), before.at().evolved(), enter.by(), enter.deadlines())
+                            : output)
+                    .toList();
+        }
+    },
     AN_EFFECT_THAT_IS_GIVEN_UP_KEEPS_THE_STATE(
             "obeyed", Scene.grinder().with(2, Act.PRESS).with(1, Act.GIVE_UP)) {
         @Override

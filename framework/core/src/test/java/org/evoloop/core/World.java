@@ -130,6 +130,13 @@ final class World {
         return !rules().table().find(at, at.original()).leavesState();
     }
 
+    private boolean mayPart(Output.Ended ended) {
+        boolean follows = ended.decision() instanceof Decision.Resynchronization;
+        return (ended.outcome() != Outcome.HANDLED && !follows)
+                || ended.decision() instanceof Decision.Sending
+                || !rules().table().configurations().contains(ended.before());
+    }
+
     /** Continues after the core has received an input. */
     void heard(Input input, List<Output> said, Snapshot after) {
         Work work = after.work();
@@ -142,10 +149,7 @@ final class World {
                 plans.clear();
             } else if (output instanceof Output.Start start) {
                 functionOf = start.visit();
-            } else if (output instanceof Output.Ended ended
-                    && (ended.outcome() != Outcome.HANDLED
-                            || ended.decision() instanceof Decision.Sending
-                            || !rules().table().configurations().contains(ended.before()))) {
+            } else if (output instanceof Output.Ended ended && mayPart(ended)) {
                 mayBeApart = true;
             } else if (output instanceof Output.Send
                     || output instanceof Output.Run
