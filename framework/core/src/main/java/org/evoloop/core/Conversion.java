@@ -292,7 +292,7 @@ final class Conversion {
         arrive();
     }
 
-    /** The occurrence in progress ends where the device is. */
+    /** The occurrence in progress ends, whatever is left of its plan. */
     void conclude(long number, Outcome outcome, String reason) {
         if (!progress.isOf(number)) {
             return;
