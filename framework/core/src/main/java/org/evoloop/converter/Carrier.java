@@ -127,7 +127,8 @@ final class Carrier {
                 driver.ran(number, run(run.effect(), plan.occurrence(), execute));
             } else if (next instanceof Output.Locate) {
                 boolean last = senders.indexOf(execute) == senders.size() - 1;
-                State state = locate(execute, last);
+                State state = execute.locate(knowledge.get(), last, cause -> reports.failed(execute, "locate", cause))
+                        .orElse(null);
                 if (state == null && !last) {
                     handBack(agenda, next);
                     return;
@@ -150,25 +151,6 @@ final class Carrier {
         books.transcript().say();
         if (notSettled != null) {
             throw notSettled;
-        }
-    }
-
-    /**
-     * Asks the device for its state; null if {@code execute} does not know it.
-     *
-     * @param last whether no other component can be asked
-     */
-    private @Nullable State locate(EventExecute execute, boolean last) throws Exception {
-        try {
-            return execute.locate().map(knowledge.get()::located).orElse(null);
-        } catch (InterruptedException stop) {
-            throw stop;
-        } catch (Exception cause) {
-            if (last) {
-                throw cause;
-            }
-            reports.failed(execute, "locate", cause);
-            return null;
         }
     }
 

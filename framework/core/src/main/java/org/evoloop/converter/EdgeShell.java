@@ -172,25 +172,12 @@ public final class EdgeShell implements AutoCloseable {
         carryOut(sequence, "device", "locate", () -> {
             Optional<State> found = Optional.empty();
             for (int index = 0; index < executes.size() && found.isEmpty(); index++) {
-                found = locate(executes.get(index), index == executes.size() - 1);
+                EventExecute execute = executes.get(index);
+                boolean isLast = index == executes.size() - 1;
+                found = execute.locate(knowledge, isLast, cause -> failed(execute, "locate", cause));
             }
             answer(sequence, Result.SENT, "", found);
         });
-    }
-
-    /** @param last whether no other component can be asked */
-    private Optional<State> locate(EventExecute execute, boolean last) throws Exception {
-        try {
-            return execute.locate().map(knowledge::located);
-        } catch (InterruptedException stop) {
-            throw stop;
-        } catch (Exception cause) {
-            if (last) {
-                throw cause;
-            }
-            failures.log(new Failure<>(execute.name(), "locate", 0, null, cause));
-            return Optional.empty();
-        }
     }
 
     private interface Work {
@@ -264,8 +251,12 @@ public final class EdgeShell implements AutoCloseable {
         } catch (InterruptedException stop) {
             Thread.currentThread().interrupt();
         } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {
-            failures.log(new Failure<>(execute.name(), "settled", 0, null, cause));
+            failed(execute, "settled", cause);
         }
+    }
+
+    private void failed(EventExecute execute, String phase, Throwable cause) {
+        failures.log(new Failure<>(execute.name(), phase, 0, null, cause));
     }
 
     /** The transition that led to the state, which names its function. */
@@ -361,7 +352,7 @@ public final class EdgeShell implements AutoCloseable {
             } catch (InterruptedException stop) {
                 Thread.currentThread().interrupt();
             } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {
-                failures.log(new Failure<>(execute.name(), "released", 0, null, cause));
+                failed(execute, "released", cause);
             }
         }
     }

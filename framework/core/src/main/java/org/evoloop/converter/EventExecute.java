@@ -4,11 +4,13 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;
 import org.evoloop.loop.Execute;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -141,6 +143,27 @@ public abstract class EventExecute extends Execute<ChangePlan> {
     final void prepare(Step step, Values carried) throws Exception {
         values = carried;
         awaitReady(step);
+    }
+
+    /**
+     * As {@link #locate()}, with the state of that name.
+     *
+     * @param isLast whether no other component can be asked, so that a failure is thrown
+     * @param reports is told of any other failure
+     */
+    final Optional<State> locate(StateKnowledge knowledge, boolean isLast, Consumer<Exception> reports)
+            throws Exception {
+        try {
+            return locate().map(knowledge::located);
+        } catch (InterruptedException stop) {
+            throw stop;
+        } catch (Exception cause) {
+            if (isLast) {
+                throw cause;
+            }
+            reports.accept(cause);
+            return Optional.empty();
+        }
     }
 
     /** Sends an announced step. */

@@ -336,7 +336,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
         return sequencer.put(occurrence);
     }
 
-    /** Begins what the intake has come to hold without an {@link #offer}, if nothing is in the loop. */
+    /** Begins the next occurrence if nothing is in the loop: the intake may hold one that was not offered. */
     public void look() {
         sequencer.look();
     }

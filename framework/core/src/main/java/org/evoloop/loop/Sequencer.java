@@ -85,7 +85,7 @@ final class Sequencer<O> {
         }
     }
 
-    /** The intake may have come to hold an occurrence that was not offered. */
+    /** Begins the next occurrence if nothing is in the loop: the intake may hold one that was not offered. */
     void look() {
         lock.acquire();
         try {

@@ -275,9 +275,7 @@ enum Mutation {
     A_FACT_THAT_FAILS_MOVES_THE_DEVICE_ONLY("apart", Scene.robot().with(1, Act.OWN, Act.FAIL)) {
         @Override
         Snapshot undo(Snapshot before, Input input, Snapshot after) {
-            return input instanceof Input.Failed
-                    ? Snapshots.at(after, after.at().withEvolved(before.at().evolved()))
-                    : after;
+            return input instanceof Input.Failed ? systemStays(before, after) : after;
         }
 
         @Override
@@ -293,9 +291,7 @@ enum Mutation {
             "obeyed", Scene.grinder().with(2, Act.PRESS).with(1, Act.GIVE_UP)) {
         @Override
         Snapshot undo(Snapshot before, Input input, Snapshot after) {
-            return input instanceof Input.GivenUp
-                    ? Snapshots.at(after, after.at().withEvolved(before.at().evolved()))
-                    : after;
+            return input instanceof Input.GivenUp ? systemStays(before, after) : after;
         }
     },
     WHAT_ENDS_IS_NOT_COUNTED("sum", Scene.bulb().with(1, Act.PRESS)) {
@@ -352,6 +348,10 @@ enum Mutation {
                 && observed.occurrence().source() == Source.CONTROLLER
                 && before.open()
                 && before.waiting().size() >= scene.rules().queueCapacity();
+    }
+
+    private static Snapshot systemStays(Snapshot before, Snapshot after) {
+        return Snapshots.at(after, after.at().withEvolved(before.at().evolved()));
     }
 
     private static Work begun(Pending pending) {

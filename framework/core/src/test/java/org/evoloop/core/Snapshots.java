@@ -12,27 +12,27 @@ final class Snapshots {
     private Snapshots() {}
 
     static Snapshot at(Snapshot of, Configuration at) {
-        return made(of, at, of.doubt(), of.visit(), of.waiting(), of.work(), of.tally());
+        return made(of, at, of.doubt(), of.visit(), of.waiting(), of.followOwed(), of.work(), of.tally());
     }
 
     static Snapshot sure(Snapshot of) {
-        return made(of, of.at(), null, of.visit(), of.waiting(), of.work(), of.tally());
+        return made(of, of.at(), null, of.visit(), of.waiting(), of.followOwed(), of.work(), of.tally());
     }
 
     static Snapshot visit(Snapshot of, Snapshot.OpenVisit visit) {
-        return made(of, of.at(), of.doubt(), visit, of.waiting(), of.work(), of.tally());
+        return made(of, of.at(), of.doubt(), visit, of.waiting(), of.followOwed(), of.work(), of.tally());
     }
 
     static Snapshot waiting(Snapshot of, List<Pending> waiting) {
-        return made(of, of.at(), of.doubt(), of.visit(), waiting, of.work(), of.tally());
+        return made(of, of.at(), of.doubt(), of.visit(), waiting, of.followOwed(), of.work(), of.tally());
     }
 
     static Snapshot work(Snapshot of, @Nullable Work work) {
-        return made(of, of.at(), of.doubt(), of.visit(), of.waiting(), work, of.tally());
+        return made(of, of.at(), of.doubt(), of.visit(), of.waiting(), of.followOwed(), work, of.tally());
     }
 
     static Snapshot tally(Snapshot of, Tally tally) {
-        return made(of, of.at(), of.doubt(), of.visit(), of.waiting(), of.work(), tally);
+        return made(of, of.at(), of.doubt(), of.visit(), of.waiting(), of.followOwed(), of.work(), tally);
     }
 
     /** As if one more occurrence had been observed, and lost. */
@@ -89,19 +89,7 @@ final class Snapshots {
     }
 
     static Snapshot followOwed(Snapshot of, boolean owed) {
-        return new Snapshot(
-                of.open(),
-                of.at(),
-                of.doubt(),
-                of.steps(),
-                of.lastStepNanos(),
-                of.visit(),
-                of.waiting(),
-                of.losing(),
-                owed,
-                of.work(),
-                of.tally(),
-                of.nowNanos());
+        return made(of, of.at(), of.doubt(), of.visit(), of.waiting(), owed, of.work(), of.tally());
     }
 
     private static Snapshot made(
@@ -110,6 +98,7 @@ final class Snapshots {
             @Nullable Doubt doubt,
             Snapshot.OpenVisit visit,
             List<Pending> waiting,
+            boolean owed,
             @Nullable Work work,
             Tally tally) {
         return new Snapshot(
@@ -121,7 +110,7 @@ final class Snapshots {
                 visit,
                 waiting,
                 of.losing(),
-                of.followOwed(),
+                owed,
                 work,
                 tally,
                 of.nowNanos());

@@ -125,7 +125,7 @@ final class World {
         return unreported.stream().noneMatch(token -> token instanceof Token.Seen);
     }
 
-    /** Whether expected events can lead there, so that the new model would not follow if the device were found there. */
+    /** Whether the new model would stay where it is if the device were found there. */
     boolean isTogether(Configuration at) {
         return !rules().table().find(at, at.original()).leavesState();
     }

@@ -105,8 +105,8 @@ class DryRunTest {
     }
 
     /**
-     * Runs one process. A deed is a press or several at once, joined by {@code +}, with {@code !} one of the device's own buttons, {@code late} if the device
-     * obeys a step that was not answered, or a number of milliseconds to wait.
+     * Runs one process. A deed is a press, or several at once joined by {@code +}; with {@code !} one of the device's
+     * own buttons; {@code late} if the device obeys a step that was not answered; or a number of milliseconds to wait.
      */
     private void live(NewFunction function, String... deeds) throws InterruptedException {
         Buttons buttons = new Buttons();
