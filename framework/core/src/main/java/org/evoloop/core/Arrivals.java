@@ -9,28 +9,27 @@ import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
-/** How occurrences come in, wait, and get their turn. */
-final class Arrivals {
+/** The first half of the core: how occurrences come in, wait, and get their turn. */
+abstract sealed class Arrivals implements Inputs permits Conversion {
+    static final String FOUND_MEANWHILE = "the device was found meanwhile";
+
     private static final String VIOLATED = "an assumption about time did not hold";
     private static final String OVERTAKEN = "the device has been sent an event since";
 
-    private final Ledger ledger;
+    final Ledger ledger;
 
-    // The message for the last event that neither model knows; not part of the state.
+    // The message for the last event that neither model knows, and the rules by which; not part of the state.
     private @Nullable Event lastUnknown;
+    private @Nullable Rules unknownIn;
     private String unknown = "";
 
     Arrivals(Ledger ledger) {
         this.ledger = ledger;
     }
 
-    /** Other rules may apply from now on. */
-    void forget() {
-        lastUnknown = null;
-    }
-
-    /** Takes an occurrence. */
-    void observe(Occurrence occurrence) {
+    @Override
+    public final void observed(Occurrence occurrence) {
+        ledger.isAt(occurrence.observedNanos());
         if (occurrence instanceof Occurrence.Found found) {
             find(found);
         } else if (occurrence instanceof Occurrence.Violated) {
@@ -94,8 +93,9 @@ final class Arrivals {
         ledger.ended(occurrence, ledger.place.at(), outcome, null, detail);
     }
 
-    /** Takes the event of a timer of the current visit. */
-    void timerDue(long visit, Event event) {
+    @Override
+    public final void timerDue(long visit, Event event, long atNanos) {
+        ledger.isAt(atNanos);
         if (ledger.open
                 && ledger.stay.isCurrent(visit)
                 && !ledger.stay.isOver()
@@ -119,8 +119,9 @@ final class Arrivals {
 
     /** A misspelt event comes again and again, and the search for similar names is slow. */
     private String unknown(Event event) {
-        if (!event.equals(lastUnknown)) {
+        if (!event.equals(lastUnknown) || !ledger.rules.equals(unknownIn)) {
             lastUnknown = event;
+            unknownIn = ledger.rules;
             unknown = ledger.rules.table().names().unknown(event);
         }
         return unknown;
@@ -139,8 +140,8 @@ final class Arrivals {
         }
     }
 
-    /** Gives the next occurrence its turn if nothing is in progress; those without effect end at once. */
-    void begin() {
+    @Override
+    public final void ready() {
         if (ledger.open && ledger.progress.isInterrupted()) {
             ledger.progress.resume();
             ledger.out.begin(ledger.progress.pending());
@@ -157,8 +158,8 @@ final class Arrivals {
         }
     }
 
-    /** Whether a function need not wait with an event that it wants to raise. */
-    boolean hasRoomForFunction(Occurrence raised) {
+    /** Whether a function may raise this event without waiting. Controllers' events do not matter for that. */
+    public final boolean hasRoom(Occurrence raised) {
         Pending next = new Pending(0, raised, null, null, ledger.place.steps(), 0);
         return ledger.line.hasRoomForFunction(next, ledger.rules, ledger.progress.isIdle());
     }
@@ -189,7 +190,7 @@ final class Arrivals {
             return;
         }
         if (occurrence instanceof Occurrence.InDoubt && ledger.place.doubt() == null) {
-            ledger.ended(occurrence, ledger.place.at(), Outcome.HANDLED, null, Conversion.FOUND_MEANWHILE);
+            ledger.ended(occurrence, ledger.place.at(), Outcome.HANDLED, null, FOUND_MEANWHILE);
             return;
         }
         if (occurrence instanceof Occurrence.Heard heard && heard.source() == Source.TIMER) {

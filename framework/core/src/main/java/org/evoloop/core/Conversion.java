@@ -14,26 +14,24 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
-/** How the occurrence in progress is carried out, step by step, and how it ends. */
-final class Conversion {
-    static final String FOUND_MEANWHILE = "the device was found meanwhile";
-
+/** The second half of the core: how the occurrence in progress is carried out, step by step, and how it ends. */
+abstract sealed class Conversion extends Arrivals permits Core {
     private static final String DISMISSED = "dismissed";
     private static final String PROCESS_ENDED = "the converter's process ended meanwhile";
 
     /** How often the device may overtake the plans for one occurrence. */
     static final int MOST_ATTEMPTS = 8;
 
-    private final Ledger ledger;
     private final Progress progress;
 
     Conversion(Ledger ledger) {
-        this.ledger = ledger;
+        super(ledger);
         this.progress = ledger.progress;
     }
 
-    /** Begins a plan. */
-    void plan(long number, Decision decision) {
+    @Override
+    public final void planned(long number, Decision decision, long atNanos) {
+        ledger.isAt(atNanos);
         if (progress.isOf(number) && progress.isResumed()) {
             progress.proceed();
             proceed();
@@ -71,8 +69,8 @@ final class Conversion {
         }
     }
 
-    /** The next step is about to be sent. */
-    void send(long number) {
+    @Override
+    public final void sending(long number) {
         Step step = progress.isOf(number) && !progress.isSending() ? progress.step() : null;
         if (step == null) {
             return;
@@ -84,8 +82,9 @@ final class Conversion {
         }
     }
 
-    /** The step has had its effect. */
-    void took(long number, boolean inOrder, long atNanos) {
+    @Override
+    public final void sent(long number, boolean inOrder, long atNanos) {
+        ledger.isAt(atNanos);
         Step step = stepOnItsWay(number);
         if (step == null) {
             tookLate(number, inOrder, atNanos);
@@ -150,15 +149,16 @@ final class Conversion {
                 && Overlap.alwaysEndsIn(target, ledger.rules.table(), doubt.step(), doubt.meanwhile());
     }
 
-    /** The next effect is about to be run. */
-    void run(long number) {
+    @Override
+    public final void running(long number) {
         if (progress.isOf(number) && progress.step() == null && progress.effect() != null) {
             progress.run();
         }
     }
 
-    /** An effect was run. */
-    void ran(long number, String failure) {
+    @Override
+    public final void effectRun(long number, String failure, long atNanos) {
+        ledger.isAt(atNanos);
         if (progress.isOf(number) && progress.isRunning()) {
             progress.ran(failure);
             proceed();
@@ -211,8 +211,9 @@ final class Conversion {
         ledger.out.overtaken(next.occurrence(), why);
     }
 
-    /** The next step or effect of the occurrence in progress has failed, without having had its effect. */
-    void fail(long number, String reason) {
+    @Override
+    public final void failed(long number, String reason, long atNanos) {
+        ledger.isAt(atNanos);
         if (!progress.isOf(number)) {
             return;
         }
@@ -247,8 +248,9 @@ final class Conversion {
         return isPossible ? new BrokenPlan(then, reason, begun, all) : null;
     }
 
-    /** Analyze or plan does not want to do anything about the occurrence in progress. */
-    void dismiss(long number) {
+    @Override
+    public final void dismissed(long number, long atNanos) {
+        ledger.isAt(atNanos);
         if (hasObeyed(number)) {
             breakOff(number, DISMISSED);
         } else {
@@ -293,7 +295,7 @@ final class Conversion {
     }
 
     /** The occurrence in progress ends, whatever is left of its plan. */
-    void conclude(long number, Outcome outcome, String reason) {
+    private void conclude(long number, Outcome outcome, String reason) {
         if (!progress.isOf(number)) {
             return;
         }
@@ -309,8 +311,13 @@ final class Conversion {
         ledger.start(visit, ledger.enterAgain(pending.occurrence()));
     }
 
-    /** A component was given up, possibly while sending a step. */
-    void giveUp(long number, String reason) {
+    @Override
+    public final void givenUp(long number, String reason, long atNanos) {
+        ledger.isAt(atNanos);
+        giveUp(number, reason);
+    }
+
+    private void giveUp(long number, String reason) {
         Step step = stepOnItsWay(number);
         List<Occurrence> meanwhile = progress.meanwhile();
         breakOff(number, reason);
@@ -321,7 +328,7 @@ final class Conversion {
     }
 
     /** The thread that carried out the plan is gone. What was begun and not reported as finished is not begun again. */
-    void interrupt() {
+    final void interrupt() {
         if (progress.isSending()) {
             giveUp(progress.pending().number(), PROCESS_ENDED);
         } else if (!progress.isIdle() && progress.decision() == null) {
@@ -338,13 +345,14 @@ final class Conversion {
     }
 
     /** Whether an interrupted plan waits that had already left the current state. */
-    boolean isLeaving() {
+    final boolean isLeaving() {
         Decision decision = progress.decision();
         return progress.isInterrupted() && decision != null && decision.leavesState();
     }
 
-    /** The device was asked for its state; {@code state} is null if it did not know. */
-    void located(long number, @Nullable State state) {
+    @Override
+    public final void located(long number, @Nullable State state, long atNanos) {
+        ledger.isAt(atNanos);
         if (!progress.isOf(number)) {
             return;
         }

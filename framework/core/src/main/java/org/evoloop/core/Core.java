@@ -6,8 +6,6 @@ import java.util.Set;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
-import org.evoloop.statemachine.Event;
-import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -22,10 +20,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @since 0.1
  */
-public final class Core implements Inputs {
-    private final Ledger ledger;
-    private final Arrivals arrivals;
-    private final Conversion conversion;
+public final class Core extends Conversion {
     private final Takeover takeover;
 
     /** A converter that has not been opened yet, in the initial states of its models. */
@@ -44,16 +39,13 @@ public final class Core implements Inputs {
 
     /** Continues from {@code snapshot}, by the {@code rules} that applied when it was taken. */
     public Core(Rules rules, Snapshot snapshot, Outputs outputs) {
-        this.ledger = new Ledger(rules, snapshot, outputs);
-        this.arrivals = new Arrivals(ledger);
-        this.conversion = new Conversion(ledger);
+        super(new Ledger(rules, snapshot, outputs));
         this.takeover = new Takeover(ledger);
     }
 
     /** Continues from {@code snapshot} instead, as a new core would: for programs that run very many converters. */
     public void restore(Rules rules, Snapshot snapshot) {
         ledger.restore(rules, snapshot);
-        arrivals.forget();
     }
 
     private static Snapshot fresh(Rules rules, long visits) {
@@ -77,7 +69,7 @@ public final class Core implements Inputs {
         return ledger.snapshot();
     }
 
-    // Inputs; each gives its outputs in order
+    // Inputs about the converter as a whole; those about occurrences are inherited
 
     @Override
     public void opened(long atNanos) {
@@ -85,7 +77,7 @@ public final class Core implements Inputs {
         long visit = ledger.stay.number();
         ledger.open = true;
         ledger.ask();
-        if (conversion.isLeaving()) {
+        if (isLeaving()) {
             return;
         }
         // A visit that has not ended was cut off, not closed.
@@ -103,7 +95,7 @@ public final class Core implements Inputs {
     public void recovered(long atNanos) {
         ledger.isAt(atNanos);
         ledger.open = false;
-        conversion.interrupt();
+        interrupt();
     }
 
     @Override
@@ -121,75 +113,6 @@ public final class Core implements Inputs {
     @Override
     public void closed() {
         ledger.stay.leave(ledger.out);
-    }
-
-    @Override
-    public void observed(Occurrence occurrence) {
-        ledger.isAt(occurrence.observedNanos());
-        arrivals.observe(occurrence);
-    }
-
-    @Override
-    public void timerDue(long visit, Event event, long atNanos) {
-        ledger.isAt(atNanos);
-        arrivals.timerDue(visit, event);
-    }
-
-    @Override
-    public void ready() {
-        arrivals.begin();
-    }
-
-    @Override
-    public void planned(long number, Decision decision, long atNanos) {
-        ledger.isAt(atNanos);
-        conversion.plan(number, decision);
-    }
-
-    @Override
-    public void dismissed(long number, long atNanos) {
-        ledger.isAt(atNanos);
-        conversion.dismiss(number);
-    }
-
-    @Override
-    public void sending(long number) {
-        conversion.send(number);
-    }
-
-    @Override
-    public void sent(long number, boolean inOrder, long atNanos) {
-        ledger.isAt(atNanos);
-        conversion.took(number, inOrder, atNanos);
-    }
-
-    @Override
-    public void running(long number) {
-        conversion.run(number);
-    }
-
-    @Override
-    public void effectRun(long number, String failure, long atNanos) {
-        ledger.isAt(atNanos);
-        conversion.ran(number, failure);
-    }
-
-    @Override
-    public void located(long number, @Nullable State state, long atNanos) {
-        ledger.isAt(atNanos);
-        conversion.located(number, state);
-    }
-
-    @Override
-    public void failed(long number, String reason, long atNanos) {
-        ledger.isAt(atNanos);
-        conversion.fail(number, reason);
-    }
-
-    @Override
-    public void givenUp(long number, String reason, long atNanos) {
-        ledger.isAt(atNanos);
-        conversion.giveUp(number, reason);
     }
 
     @Override
@@ -271,11 +194,6 @@ public final class Core implements Inputs {
     /** Whether an occurrence is in progress. */
     public boolean isBusy() {
         return !ledger.progress.isIdle();
-    }
-
-    /** Whether a function may raise this event without waiting. Controllers' events do not matter for that. */
-    public boolean hasRoom(Occurrence raised) {
-        return arrivals.hasRoomForFunction(raised);
     }
 
     /** Whether an occurrence is ready to begin when nothing is in progress. */

@@ -59,9 +59,10 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
         }
         this.config = config;
         LoopLock lock = new LoopLock();
-        this.sequencer = new Sequencer<>(config, listener, intake, lock);
+        Pipeline<O, A, P> pipeline = new Pipeline<>(config.name(), dispatch);
+        this.sequencer = new Sequencer<>(config, listener, intake, pipeline, lock);
         this.gate = new Gate<>(config, sequencer, lock);
-        this.roster = new Roster<>(config, dispatch, sequencer);
+        this.roster = new Roster<>(config, pipeline, sequencer);
     }
 
     /** Adds a monitor. @throws IllegalStateException if the loop has ended or the name is taken */

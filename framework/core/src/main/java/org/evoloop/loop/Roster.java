@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class Roster<O, A, P> {
     private final LoopConfig config;
-    private final Passage<O, A, P> passage;
+    private final Pipeline<O, A, P> pipeline;
     private final Sequencer<O> sequencer;
     private final Crew crew;
     private final List<MonitorWorker<O>> monitors = new CopyOnWriteArrayList<>();
@@ -20,9 +20,9 @@ final class Roster<O, A, P> {
     private volatile @Nullable StageWorker<O> analyze;
     private volatile @Nullable StageWorker<A> plan;
 
-    Roster(LoopConfig config, Dispatch<P> dispatch, Sequencer<O> sequencer) {
+    Roster(LoopConfig config, Pipeline<O, A, P> pipeline, Sequencer<O> sequencer) {
         this.config = config;
-        this.passage = new Passage<>(config.name(), dispatch, sequencer);
+        this.pipeline = pipeline;
         this.sequencer = sequencer;
         this.crew = new Crew(config);
     }
@@ -42,16 +42,16 @@ final class Roster<O, A, P> {
         Worker worker;
         if (component instanceof Analyze) {
             requireNone(analyze);
-            worker = analyze = stage(component, passage.through((Analyze<O, A>) component));
+            worker = analyze = stage(component, pipeline.through((Analyze<O, A>) component));
         } else if (component instanceof Plan) {
             requireNone(plan);
-            worker = plan = stage(component, passage.through((Plan<A, P>) component));
+            worker = plan = stage(component, pipeline.through((Plan<A, P>) component));
         } else {
-            StageWorker<P> execute = stage(component, passage.through((Execute<P>) component));
+            StageWorker<P> execute = stage(component, pipeline.through((Execute<P>) component));
             executes.add(Math.min(position, executes.size()), execute);
             worker = execute;
         }
-        passage.lead(analyze, plan, executes);
+        pipeline.lead(analyze, plan, executes);
         return worker;
     }
 
@@ -116,7 +116,7 @@ final class Roster<O, A, P> {
             position = executes.indexOf(worker);
             executes.remove(position);
         }
-        passage.lead(analyze, plan, executes);
+        pipeline.lead(analyze, plan, executes);
         return position;
     }
 

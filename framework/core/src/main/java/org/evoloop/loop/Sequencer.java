@@ -26,12 +26,12 @@ final class Sequencer<O> {
     private final Condition ended;
     private final Condition room;
     private final Supervisor<O> supervisor;
+    private final Pipeline<O, ?, ?> pipeline;
 
     private volatile LoopState state = LoopState.NEW;
     private boolean held;
     private boolean breakingOff;
     private boolean stepping;
-    private @Nullable StageWorker<O> analyze;
     private long cycle;
     private @Nullable O occurrence;
     private volatile @Nullable StageWorker<?> busy;
@@ -39,10 +39,12 @@ final class Sequencer<O> {
     /** An occurrence that came to a stuck analyze component; reported after the lock is released. */
     private @Nullable Failure<O> refused;
 
-    Sequencer(LoopConfig config, LoopListener<O> listener, Intake<O> intake, LoopLock lock) {
+    Sequencer(
+            LoopConfig config, LoopListener<O> listener, Intake<O> intake, Pipeline<O, ?, ?> pipeline, LoopLock lock) {
         this.config = config;
         this.listener = listener;
         this.intake = intake;
+        this.pipeline = pipeline;
         this.lock = lock;
         this.ended = lock.newCondition();
         this.room = lock.newCondition();
@@ -99,7 +101,7 @@ final class Sequencer<O> {
 
     /** Starts the next cycle if something waits and nothing prevents it; the lock is held. */
     private void begin() {
-        StageWorker<O> first = analyze;
+        StageWorker<O> first = pipeline.first();
         boolean mayBegin =
                 busy == null && !breakingOff && !held && state == LoopState.RUNNING && (config.threads() || stepping);
         O next = mayBegin && first != null ? intake.next() : null;
@@ -122,32 +124,20 @@ final class Sequencer<O> {
         }
     }
 
-    /**
-     * Hands the result of a stage on; the cycle ends if the result is null or there is no next stage.
-     *
-     * @return the stage that continues on the caller's thread; null if none does
-     */
-    <I> @Nullable StageWorker<I> passOn(StageWorker<?> from, @Nullable I result, @Nullable StageWorker<I> next) {
-        int nulls = from.countNull(result == null);
-        if (nulls > 0) {
-            listener.returnedNull(from.component().name(), from.roleName(), nulls);
-        }
-        if (result == null || next == null || next.isStuck()) {
-            end(from, result == null ? null : next);
-            return null;
-        }
+    /** Hands the turn on; false if {@code from} was given up meanwhile. */
+    boolean pass(StageWorker<?> from, StageWorker<?> next) {
         supervisor.stepBegins();
         if (TURN.compareAndSet(this, from, next)) {
-            return next.proceed(from.cycle(), result);
+            return true;
         }
-        // It was given up: it is marked as stuck under the lock, and must see that before it returns.
+        // It is marked as stuck under the lock, and must see that before it returns.
         lock.acquire();
         lock.release();
-        return null;
+        return false;
     }
 
     /** Ends the cycle, by a failure if the next component is stuck. */
-    private void end(StageWorker<?> from, @Nullable StageWorker<?> stuck) {
+    void end(StageWorker<?> from, @Nullable StageWorker<?> stuck) {
         Failure<O> failure = null;
         lock.acquire();
         try {
@@ -214,6 +204,11 @@ final class Sequencer<O> {
         end(worker, null);
     }
 
+    /** A stage has returned null, {@code inARow} times in a row. */
+    void returnedNull(StageWorker<?> worker, int inARow) {
+        listener.returnedNull(worker.component().name(), worker.roleName(), inARow);
+    }
+
     void report(Worker worker, String phase, long inCycle, @Nullable O about, Throwable cause) {
         Failure<O> failure = new Failure<>(worker.component().name(), phase, inCycle, about, cause);
         worker.countFailure(failure.toString());
@@ -267,7 +262,7 @@ final class Sequencer<O> {
                 breakingOff = false;
                 endCycle();
             } finally {
-                about = analyze;
+                about = pipeline.first();
                 next = takeRefused();
                 lock.release();
             }
@@ -282,7 +277,7 @@ final class Sequencer<O> {
 
     /** Releases the lock, and reports an occurrence that came to a stuck component. */
     void release() {
-        Worker first = analyze;
+        Worker first = pipeline.first();
         Failure<O> failure = takeRefused();
         lock.release();
         if (failure != null && first != null) {
@@ -340,10 +335,6 @@ final class Sequencer<O> {
             intake.closed();
         }
         begin();
-    }
-
-    void setAnalyze(@Nullable StageWorker<O> worker) {
-        analyze = worker;
     }
 
     LoopState state() {

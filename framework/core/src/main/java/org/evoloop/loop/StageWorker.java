@@ -59,32 +59,9 @@ final class StageWorker<I> extends Worker {
         return own == null ? crew.shared() : own;
     }
 
-    /**
-     * Gives it the result of the previous component.
-     *
-     * @return itself if it is to be run by the caller's thread; null if its own thread runs it
-     */
-    @Nullable
-    StageWorker<I> proceed(long givenCycle, I givenInput) {
-        cycle = givenCycle;
-        input = givenInput;
-        if (own == null) {
-            return this;
-        }
-        own.give(this);
-        own.wake();
-        return null;
-    }
-
     /** The cycle of its present work. */
     long cycle() {
         return cycle;
-    }
-
-    /** Counts a result; returns how many times in a row it has been null. */
-    int countNull(boolean isNull) {
-        nulls = isNull ? nulls + 1 : 0;
-        return nulls;
     }
 
     /**
@@ -112,6 +89,35 @@ final class StageWorker<I> extends Worker {
                 sequencer.look();
             }
         }
+    }
+
+    /**
+     * Hands its result on; the cycle ends if that is null or there is no next stage.
+     *
+     * @return the stage that continues on the caller's thread; null if none does
+     */
+    <R> @Nullable StageWorker<R> handOn(@Nullable R result, @Nullable StageWorker<R> next) {
+        nulls = result == null ? nulls + 1 : 0;
+        if (nulls > 0) {
+            sequencer.returnedNull(this, nulls);
+        }
+        if (result == null || next == null || next.isStuck()) {
+            sequencer.end(this, result == null ? null : next);
+            return null;
+        }
+        return sequencer.pass(this, next) ? next.proceed(cycle, result) : null;
+    }
+
+    /** Returns itself if it is to be run by the caller's thread; null if its own thread runs it. */
+    private @Nullable StageWorker<I> proceed(long givenCycle, I givenInput) {
+        cycle = givenCycle;
+        input = givenInput;
+        if (own == null) {
+            return this;
+        }
+        own.give(this);
+        own.wake();
+        return null;
     }
 
     /** Its work was given up: it counts as stuck until it returns, and its thread is interrupted. */

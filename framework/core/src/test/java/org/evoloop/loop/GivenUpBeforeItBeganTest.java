@@ -22,7 +22,12 @@ class GivenUpBeforeItBeganTest {
         stage = new StageWorker<>(
                 new Relay.Brain(),
                 crew,
-                new Sequencer<>(config, new Strict(), new Backlog<>(1), new LoopLock()),
+                new Sequencer<>(
+                        config,
+                        new Strict(),
+                        new Backlog<>(1),
+                        new Pipeline<>("loop", Dispatch.toEach()),
+                        new LoopLock()),
                 (by, input) -> {
                     begun.add(input);
                     return null;

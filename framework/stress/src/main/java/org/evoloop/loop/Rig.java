@@ -1,5 +1,6 @@
 package org.evoloop.loop;
 
+import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
@@ -20,6 +21,7 @@ final class Rig implements LoopListener<Object> {
 
     final LoopLock lock = new LoopLock();
     final Crew crew;
+    final Pipeline<Object, Object, Object> pipeline = new Pipeline<>("rig", Dispatch.toEach());
     final Sequencer<Object> sequencer;
     final Gate<Object> gate;
     final Counting intake;
@@ -31,12 +33,12 @@ final class Rig implements LoopListener<Object> {
         LoopConfig config = config(threading, queueCapacity);
         crew = new Crew(config);
         intake = new Counting(queueCapacity);
-        sequencer = new Sequencer<>(config, this, intake, lock);
+        sequencer = new Sequencer<>(config, this, intake, pipeline, lock);
         gate = new Gate<>(config, sequencer, lock);
         stage = new StageWorker<>(new Nothing(), crew, sequencer, (by, input) -> {
             runs.incrementAndGet();
             takeAWhile();
-            return sequencer.passOn(by, null, null);
+            return by.handOn(null, null);
         });
         gate.become(LoopState.RUNNING);
     }
@@ -56,7 +58,7 @@ final class Rig implements LoopListener<Object> {
 
     /** From now on, what is offered is run. */
     Rig ready() {
-        sequencer.setAnalyze(stage);
+        pipeline.lead(stage, null, List.of());
         return this;
     }
 

@@ -6,36 +6,41 @@ import org.evoloop.flight.PhaseEvent;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The path of an occurrence through the loop: analyze, plan, and the execute components that the dispatch chooses, one
- * after another. Each hands its result to the next through the sequencer, which decides whose turn it is.
+ * The path of an occurrence through the components: analyze, plan, and the execute components that the dispatch
+ * chooses, one after another. Each hands its result to the next, which continues on its own thread if it has one.
  *
  * <p>Threading: used by one thread at a time; changed only between two occurrences.
  */
-final class Passage<O, A, P> {
+final class Pipeline<O, A, P> {
     private final String loop;
     private final Dispatch<P> dispatch;
-    private final Sequencer<O> sequencer;
+    private volatile @Nullable StageWorker<O> analyze;
     private volatile @Nullable StageWorker<A> plan;
     private volatile List<StageWorker<P>> executes = List.of();
     private volatile List<Execute<P>> executeOrder = List.of();
 
     /** @param loop the loop's name, for recordings */
-    Passage(String loop, Dispatch<P> dispatch, Sequencer<O> sequencer) {
+    Pipeline(String loop, Dispatch<P> dispatch) {
         this.loop = loop;
         this.dispatch = dispatch;
-        this.sequencer = sequencer;
     }
 
-    StageWorker.Work<O> through(Analyze<O, A> analyze) {
+    /** The component with which each occurrence begins; null if there is none yet. */
+    @Nullable
+    StageWorker<O> first() {
+        return analyze;
+    }
+
+    StageWorker.Work<O> through(Analyze<O, A> analyzing) {
         return (by, occurrence) -> {
             PhaseEvent phase = PhaseEvent.begun();
             A analysis;
             try {
-                analysis = analyze.analyze(occurrence);
+                analysis = analyzing.analyze(occurrence);
             } finally {
-                PhaseEvent.ended(phase, loop, "analyze", analyze.name(), occurrence);
+                PhaseEvent.ended(phase, loop, "analyze", analyzing.name(), occurrence);
             }
-            return sequencer.passOn(by, analysis, plan);
+            return by.handOn(analysis, plan);
         };
     }
 
@@ -52,15 +57,15 @@ final class Passage<O, A, P> {
         };
     }
 
-    StageWorker.Work<P> through(Execute<P> execute) {
+    StageWorker.Work<P> through(Execute<P> executing) {
         return (by, planned) -> {
             PhaseEvent phase = PhaseEvent.begun();
             try {
-                execute.execute(planned);
+                executing.execute(planned);
             } finally {
-                PhaseEvent.ended(phase, loop, "execute", execute.name(), planned);
+                PhaseEvent.ended(phase, loop, "execute", executing.name(), planned);
             }
-            return dispatch(by, planned, execute);
+            return dispatch(by, planned, executing);
         };
     }
 
@@ -74,13 +79,13 @@ final class Passage<O, A, P> {
                 worker = candidates.get(index);
             }
         }
-        return sequencer.passOn(by, planned, worker);
+        return by.handOn(planned, worker);
     }
 
     /** Sets the components. */
     @SuppressWarnings("unchecked") // nothing else is enlisted there
     void lead(@Nullable StageWorker<O> nowAnalyze, @Nullable StageWorker<A> nowPlan, List<StageWorker<P>> nowExecutes) {
-        sequencer.setAnalyze(nowAnalyze);
+        analyze = nowAnalyze;
         plan = nowPlan;
         executes = List.copyOf(nowExecutes);
         List<Execute<P>> order = new ArrayList<>();
