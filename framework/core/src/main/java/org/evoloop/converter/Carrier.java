@@ -1,17 +1,16 @@
 package org.evoloop.converter;
 
-import java.util.List;
-import java.util.Set;
-import java.util.stream.Collectors;
+import org.evoloop.core.Input;
+import org.evoloop.core.Inputs;
 import org.evoloop.core.Output;
+import org.evoloop.core.Pending;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;
 import org.evoloop.flight.WorkEvent;
-import org.evoloop.loop.Execute;
 import org.evoloop.loop.Failure;
-import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
+import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -20,21 +19,14 @@ import org.jspecify.annotations.Nullable;
  */
 final class Carrier {
     private final CoreDriver driver;
+    private final Inputs inputs;
+    private final CoreOutputs outputs;
+    private final Clock clock;
+    private final Senders senders;
     private final Visits visits;
     private final CurrentKnowledge knowledge;
     private final Books books;
     private final Reports reports;
-    private volatile List<EventExecute> executes = List.of();
-
-    /** The loop's execute components, in the order in which they are tried. */
-    private volatile List<Execute<ChangePlan>> senders = List.of();
-
-    /** Whether the execute component that returned last left a directive for another one. */
-    private volatile boolean handedBack;
-
-    /** The execute component that settled first; null if none has and others still have to. */
-    private volatile @Nullable EventExecute settledFirst;
-
     private volatile String runningEffect = "";
 
     /** Is told of failures of components that do not end the event, since others continue. */
@@ -42,106 +34,52 @@ final class Carrier {
         void failed(EventExecute execute, String phase, Exception cause);
     }
 
-    Carrier(CoreDriver driver, Visits visits, CurrentKnowledge knowledge, Books books, Reports reports) {
-        this.reports = reports;
+    Carrier(
+            CoreDriver driver,
+            Senders senders,
+            Visits visits,
+            CurrentKnowledge knowledge,
+            Books books,
+            Reports reports) {
         this.driver = driver;
+        this.inputs = driver.inputs;
+        this.outputs = driver.outputs;
+        this.clock = driver.clock;
+        this.senders = senders;
+        this.reports = reports;
         this.visits = visits;
         this.knowledge = knowledge;
         this.books = books;
     }
 
-    /** Replaces the execute components. */
-    void use(List<EventExecute> present) {
-        executes = List.copyOf(present);
-    }
-
-    List<EventExecute> executes() {
-        return executes;
-    }
-
-    /** The events that they can send. */
-    Set<Event> sendable() {
-        return executes().stream()
-                .flatMap(execute -> execute.events().stream())
-                .collect(Collectors.toUnmodifiableSet());
-    }
-
-    /** The execute component that continues {@code plan}; null if it has been carried out. */
-    @Nullable
-    Execute<ChangePlan> next(ChangePlan plan, List<Execute<ChangePlan>> inOrder, @Nullable Execute<ChangePlan> last) {
-        senders = inOrder;
-        if (last == null) {
-            settledFirst = null;
-            return senderOf(firstToSend(plan), inOrder);
-        }
-        // Only what was handed back is left to do, and looking takes a lock.
-        Output.Directive directive = handedBack ? driver.toDo(plan) : null;
-        if (directive instanceof Output.Send send) {
-            return senderOf(send.step().trigger(), inOrder);
-        }
-        if (directive instanceof Output.Settle && last instanceof EventExecute settled) {
-            return settlesAfter(settled);
-        }
-        return directive == null ? null : inOrder.get(inOrder.indexOf(last) + 1);
-    }
-
-    private static @Nullable Event firstToSend(ChangePlan plan) {
-        // By index, here and below: an iterator would be garbage in every event.
-        for (int index = 0; index < plan.steps().size(); index++) {
-            Step step = plan.steps().get(index);
-            if (!step.byDevice()) {
-                return step.trigger();
-            }
-        }
-        return null;
-    }
-
-    private static Execute<ChangePlan> senderOf(@Nullable Event event, List<Execute<ChangePlan>> inOrder) {
-        for (int index = 0; event != null && index < inOrder.size(); index++) {
-            if (sends(inOrder.get(index), event)) {
-                return inOrder.get(index);
-            }
-        }
-        return inOrder.get(0);
-    }
-
-    private static boolean sends(Execute<ChangePlan> execute, Event event) {
-        return execute instanceof EventExecute sender && sender.events().contains(event);
-    }
-
     /** Carries out {@code plan} as far as {@code execute} can. */
     void carryOut(ChangePlan plan, EventExecute execute) throws Exception {
-        Agenda agenda = driver.takeUp(plan);
-        handedBack = false;
+        Agenda agenda = takeUp(plan);
+        senders.takeUp();
         long number = agenda.turn();
         Exception notSettled = null;
         for (Output.Directive next = agenda.poll(); next != null; next = agenda.poll()) {
             if (next instanceof Output.Send send) {
-                if (!canSend(send.step(), execute)) {
-                    handBack(agenda, next);
+                if (!senders.canSend(send.step(), execute)) {
+                    senders.handBack(agenda, next);
                     return;
                 }
                 send(number, send.step(), plan.occurrence().values(), execute);
             } else if (next instanceof Output.Run run) {
-                driver.announceEffect(number);
-                driver.ran(number, run(run.effect(), plan.occurrence(), execute));
+                run(number, run.effect(), plan.occurrence(), execute);
             } else if (next instanceof Output.Locate) {
-                boolean last = senders.indexOf(execute) == senders.size() - 1;
-                State state = execute.locate(knowledge.get(), last, cause -> reports.failed(execute, "locate", cause))
-                        .orElse(null);
-                if (state == null && !last) {
-                    handBack(agenda, next);
+                if (!locate(number, execute)) {
+                    senders.handBack(agenda, next);
                     return;
                 }
-                driver.located(number, state);
             } else if (next instanceof Output.Settle settle) {
                 books.transcript().say();
                 notSettled = settle(execute, settle);
-                if (settlesAfter(execute) != null) {
+                if (senders.settlesAfter(execute) != null) {
                     if (notSettled != null) {
                         reports.failed(execute, "settled", notSettled);
                     }
-                    handBack(agenda, next);
+                    senders.handBack(agenda, next);
                     return;
                 }
             } else {
@@ -154,62 +92,90 @@ final class Carrier {
         }
     }
 
-    /** Returns what {@code execute} threw; null if it has settled. */
-    private @Nullable Exception settle(EventExecute execute, Output.Settle settle) {
-        settledFirst = settledFirst == null ? execute : settledFirst;
-        try {
-            execute.settled(settle.now());
-            return null;
-        } catch (Exception cause) {
-            return cause;
-        }
-    }
-
-    /** The component that settles after {@code last}: the one that sent comes first, the others follow in order. */
-    private @Nullable EventExecute settlesAfter(EventExecute last) {
-        EventExecute first = settledFirst;
-        int from = last == first ? 0 : senders.indexOf(last) + 1;
-        for (int index = from; index < senders.size(); index++) {
-            if (senders.get(index) != first && senders.get(index) instanceof EventExecute next) {
-                return next;
+    /**
+     * Begins a plan, unless it has begun.
+     *
+     * @return the directives of the plan
+     * @throws IllegalStateException if it is a plan for another occurrence than that in progress, or leads to states
+     *     that the models do not have
+     */
+    private Agenda takeUp(ChangePlan plan) {
+        synchronized (driver) {
+            Pending pending = outputs.begun;
+            if (pending == null || pending.occurrence() != plan.occurrence()) {
+                throw new IllegalStateException("the plan is for " + plan.occurrence() + ", which is not in the loop");
             }
-        }
-        return null;
-    }
-
-    private void handBack(Agenda agenda, Output.Directive directive) {
-        agenda.handBack(directive);
-        handedBack = true;
-    }
-
-    private boolean canSend(Step step, EventExecute execute) {
-        if (sends(execute, step.trigger())) {
-            return true;
-        }
-        for (Execute<ChangePlan> other : senders) {
-            if (sends(other, step.trigger())) {
-                return false;
+            Agenda agenda = outputs.agenda;
+            if (agenda.turn() != pending.number()) {
+                plan.requireStatesOf(driver.rules().table().models());
+                agenda.begin(pending.number());
+                inputs.planned(pending.number(), plan.decision(), clock.nanoTime());
             }
+            return agenda;
         }
-        throw new IllegalStateException("no execute component can send " + step.trigger() + " any more");
     }
 
     private void send(long number, Step step, Values values, EventExecute execute) throws Exception {
         WorkEvent work = WorkEvent.begun();
         try {
-            performWhenReady(number, step, values, execute);
+            sendWhenReady(number, step, values, execute);
         } finally {
             WorkEvent.ended(work, books.flight().converter(), WorkEvent.Kind.SEND, step);
         }
     }
 
-    private void performWhenReady(long number, Step step, Values values, EventExecute execute) throws Exception {
-        execute.prepare(step, values);
+    private void sendWhenReady(long number, Step step, Values values, EventExecute execute) throws Exception {
+        execute.carry(values);
+        execute.awaitReady(step);
         if (!driver.rules().table().isOpen(step, knowledge.bindings().with(values))) {
             throw new IllegalStateException("the guards of the original model do not let " + step + " be taken now");
         }
-        if (driver.announce(number, execute)) {
-            execute.perform(step);
+        if (announce(number, execute)) {
+            execute.send(step);
+            execute.sendReturned();
+        }
+    }
+
+    /** Announces a step; false if it must not be sent, since the device has left the step's source. */
+    private boolean announce(long number, EventExecute execute) {
+        synchronized (driver) {
+            inputs.sending(number);
+            boolean may = driver.core.maySend(number);
+            if (may) {
+                execute.sending = number;
+            }
+            return may;
+        }
+    }
+
+    /**
+     * The step that {@code execute} was sending has had its effect. Only the first call for a step counts; a second
+     * call waits for the first, since the plan cannot continue before its consequences are known.
+     *
+     * @param inOrder see {@link Input.Sent}
+     * @return whether it was given up before, and something is to be done about that
+     */
+    boolean tookEffect(EventExecute execute, boolean inOrder) {
+        synchronized (driver) {
+            long number = execute.sending;
+            execute.sending = 0;
+            if (number == 0) {
+                return false;
+            }
+            boolean late = !driver.core.maySend(number);
+            inputs.sent(number, inOrder, clock.nanoTime());
+            return late && driver.core.hasNext();
+        }
+    }
+
+    private void run(long number, String effect, Occurrence occurrence, EventExecute execute)
+            throws InterruptedException {
+        synchronized (driver) {
+            inputs.running(number);
+        }
+        String failure = run(effect, occurrence, execute);
+        synchronized (driver) {
+            inputs.effectRun(number, failure, clock.nanoTime());
         }
     }
 
@@ -232,6 +198,31 @@ final class Carrier {
         }
     }
 
+    /** Asks {@code execute}; false if it does not know and another component is left to be asked. */
+    private boolean locate(long number, EventExecute execute) throws Exception {
+        boolean last = senders.isLast(execute);
+        State state = execute.locate(knowledge.get(), last, cause -> reports.failed(execute, "locate", cause))
+                .orElse(null);
+        if (state == null && !last) {
+            return false;
+        }
+        synchronized (driver) {
+            inputs.located(number, state, clock.nanoTime());
+        }
+        return true;
+    }
+
+    /** Returns what {@code execute} threw; null if it has settled. */
+    private @Nullable Exception settle(EventExecute execute, Output.Settle settle) {
+        senders.settles(execute);
+        try {
+            execute.settled(settle.now());
+            return null;
+        } catch (Exception cause) {
+            return cause;
+        }
+    }
+
     /** The effect that is being run; empty if none is. */
     String runningEffect() {
         return runningEffect;
@@ -243,12 +234,35 @@ final class Carrier {
     }
 
     /**
-     * Carries out what follows an occurrence whose plan was broken off.
+     * The occurrence in progress has failed: carries out what follows.
      *
-     * @param carried its values, if it has led out of the state; else null
+     * @param unknown whether it is uncertain if the step being sent had its effect
      */
-    void carryOut(@Nullable Values carried) {
-        Agenda agenda = driver.agenda();
+    void breakOff(Occurrence occurrence, String reason, boolean unknown) {
+        boolean left;
+        synchronized (driver) {
+            Pending pending = outputs.begun;
+            outputs.left = false;
+            if (pending != null && driver.core.isBusy()) {
+                outputs.agenda.end();
+                outputs.agenda = new Agenda();
+                long now = clock.nanoTime();
+                if (unknown) {
+                    inputs.givenUp(pending.number(), reason, now);
+                } else {
+                    inputs.failed(pending.number(), reason, now);
+                }
+            }
+            left = outputs.left;
+        }
+        carryOut(left ? occurrence.values() : null);
+    }
+
+    private void carryOut(@Nullable Values carried) {
+        Agenda agenda;
+        synchronized (driver) {
+            agenda = outputs.agenda;
+        }
         for (Output.Directive next = agenda.poll(); next != null; next = agenda.poll()) {
             visit(next, carried);
         }

@@ -46,7 +46,8 @@ final class ConverterShell implements LoopListener<Occurrence> {
     final MapeLoop<Occurrence, Analysis, ChangePlan> loop;
     final Visits visits;
     final CoreDriver driver;
-    final Carrier carrier;
+    final Senders senders;
+    private final Carrier carrier;
     final Hooks hooks;
 
     /** Whether it was opened and has not released the device since. */
@@ -75,8 +76,9 @@ final class ConverterShell implements LoopListener<Occurrence> {
                 visits::leaving,
                 journal,
                 watchman);
-        this.carrier = new Carrier(driver, visits, knowledge, books, this::failed);
-        this.loop = new MapeLoop<>(config, this, carrier::next, driver);
+        this.senders = new Senders(driver);
+        this.carrier = new Carrier(driver, senders, visits, knowledge, books, this::failed);
+        this.loop = new MapeLoop<>(config, this, senders, new CoreIntake(driver, watchman));
         visits.attach(loop);
         watchman.attach(driver, loop::offer);
         adopt(first);
@@ -165,7 +167,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
 
     private void tookEffect(EventExecute execute, boolean inOrder) {
         // Out of order, the component that sent it is about to return, and the loop looks then.
-        if (driver.tookEffect(execute, inOrder) && inOrder) {
+        if (carrier.tookEffect(execute, inOrder) && inOrder) {
             loop.look();
         }
     }
@@ -173,13 +175,13 @@ final class ConverterShell implements LoopListener<Occurrence> {
     /** From the next event on, decides by {@code table}. */
     void use(DecisionTable table, List<EventExecute> present) {
         driver.use(table);
-        carrier.use(present);
+        senders.use(present);
     }
 
     /** Opens the loop, after every execute component has prepared the device for the current state. */
     void start() {
         holdsDevice = true;
-        for (EventExecute execute : carrier.executes()) {
+        for (EventExecute execute : senders.all()) {
             hook(execute, "settled", config.stepLimit(), () -> execute.settled(driver.configuration()));
         }
         driver.watch();
@@ -209,7 +211,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
             books.failures()
                     .fault("end of a visit", new Failure<>("visit", "onEnd", 0, null, Hooks.late(limit, hangs)));
         }
-        for (EventExecute execute : carrier.executes()) {
+        for (EventExecute execute : senders.all()) {
             hook(execute, "released", config.joinLimit(), execute::released);
         }
         holdsDevice = false;
@@ -325,8 +327,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
         report(failure);
         Occurrence occurrence = failure.occurrence();
         if (occurrence != null) {
-            boolean left = driver.failed(failure.toString(), unknown);
-            carrier.carryOut(left ? occurrence.values() : null);
+            carrier.breakOff(occurrence, failure.toString(), unknown);
         }
     }
 

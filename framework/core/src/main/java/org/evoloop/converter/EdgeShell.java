@@ -146,11 +146,13 @@ public final class EdgeShell implements AutoCloseable {
         for (EventExecute execute : assembly.executes()) {
             if (execute.events().contains(step.trigger())) {
                 carryOut(sequence, execute.name(), "send", () -> {
-                    execute.prepare(step, values);
+                    execute.carry(values);
+                    execute.awaitReady(step);
                     synchronized (this) {
                         execute.sending = sequence;
                     }
-                    execute.perform(step);
+                    execute.send(step);
+                    execute.sendReturned();
                 });
                 return;
             }

@@ -139,10 +139,14 @@ public abstract class EventExecute extends Execute<ChangePlan> {
         }
     }
 
-    /** Waits until the device can take {@code step}, which is sent next. */
-    final void prepare(Step step, Values carried) throws Exception {
+    /** Sets the values of the event that is being converted. */
+    final void carry(Values carried) {
         values = carried;
-        awaitReady(step);
+    }
+
+    /** {@link #send} has returned: the step counts as having had its effect, if that was not reported before. */
+    final void sendReturned() {
+        report(false);
     }
 
     /**
@@ -164,12 +168,6 @@ public abstract class EventExecute extends Execute<ChangePlan> {
             reports.accept(cause);
             return Optional.empty();
         }
-    }
-
-    /** Sends an announced step. */
-    final void perform(Step step) throws Exception {
-        send(step);
-        report(false);
     }
 
     /** {@link #sendableEvents}, called only once: every converted event needs them more than once. */

@@ -450,7 +450,7 @@ public final class SystemEventConverter implements AutoCloseable {
      * yet
      */
     public Set<Event> sendableEvents() {
-        return built().carrier.sendable();
+        return built().senders.sendable();
     }
 
     /** A snapshot of the status. @throws IllegalStateException if the converter is not built yet */

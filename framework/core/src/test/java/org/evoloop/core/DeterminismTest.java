@@ -8,6 +8,8 @@ import java.util.Random;
 import java.util.stream.LongStream;
 import org.evoloop.core.Scene.Act;
 import org.evoloop.core.text.SnapshotText;
+import org.evoloop.statemachine.Event;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -40,6 +42,20 @@ class DeterminismTest {
             Scene scene = scenes.get(random.nextInt(scenes.size()));
             assertRepeatable(scene, RandomStory.of(scene, random, LENGTH));
         }
+    }
+
+    /** The search for similar names is slow, so its last result is kept; but not beyond the models for which it is true. */
+    @Test
+    void similarNamesAreThoseOfTheModelsInForce() {
+        Event misspelt = new Event("claen");
+        ScriptedCore core = new ScriptedCore(Scene.bulb()).press(misspelt.name());
+
+        core.input(new Input.Changed(Scene.robot().rules(), 9)).press(misspelt.name());
+
+        String robots = Scene.robot().rules().table().names().unknown(misspelt);
+        assertThat(robots).contains("Clean");
+        assertThat(((Output.Ended) core.said.get(core.said.size() - 1)).detail())
+                .isEqualTo(robots);
     }
 
     private void assertRepeatable(Scene scene, List<Input> inputs) {

@@ -1,0 +1,143 @@
+package org.evoloop.converter;
+
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.evoloop.core.Output;
+import org.evoloop.evolution.Step;
+import org.evoloop.loop.Dispatch;
+import org.evoloop.loop.Execute;
+import org.evoloop.statemachine.Event;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The execute components of a converter, and which of them continues a plan: one that can send the next step, and those
+ * that are asked for the device's state or have to settle, one after another.
+ *
+ * <p>Threading: the components may be read from any thread and are replaced between two events; the rest is for the
+ * thread that has the turn.
+ */
+final class Senders implements Dispatch<ChangePlan> {
+    private final CoreDriver driver;
+    private volatile List<EventExecute> executes = List.of();
+
+    /** The loop's execute components, in the order in which they are tried. */
+    private volatile List<Execute<ChangePlan>> senders = List.of();
+
+    /** Whether the execute component that returned last left a directive for another one. */
+    private volatile boolean handedBack;
+
+    /** The execute component that settled first; null if none has and others still have to. */
+    private volatile @Nullable EventExecute settledFirst;
+
+    Senders(CoreDriver driver) {
+        this.driver = driver;
+    }
+
+    /** Replaces the execute components. */
+    void use(List<EventExecute> present) {
+        executes = List.copyOf(present);
+    }
+
+    List<EventExecute> all() {
+        return executes;
+    }
+
+    /** The events that they can send. */
+    Set<Event> sendable() {
+        return executes.stream().flatMap(execute -> execute.events().stream()).collect(Collectors.toUnmodifiableSet());
+    }
+
+    @Override
+    public @Nullable Execute<ChangePlan> next(
+            ChangePlan plan, List<Execute<ChangePlan>> inOrder, @Nullable Execute<ChangePlan> last) {
+        senders = inOrder;
+        if (last == null) {
+            settledFirst = null;
+            return senderOf(firstToSend(plan));
+        }
+        // Only what was handed back is left to do, and looking takes a lock.
+        Output.Directive directive = handedBack ? driver.toDo(plan) : null;
+        if (directive instanceof Output.Send send) {
+            return senderOf(send.step().trigger());
+        }
+        if (directive instanceof Output.Settle && last instanceof EventExecute settled) {
+            return settlesAfter(settled);
+        }
+        return directive == null ? null : inOrder.get(inOrder.indexOf(last) + 1);
+    }
+
+    private static @Nullable Event firstToSend(ChangePlan plan) {
+        // By index, here and below: an iterator would be garbage in every event.
+        for (int index = 0; index < plan.steps().size(); index++) {
+            Step step = plan.steps().get(index);
+            if (!step.byDevice()) {
+                return step.trigger();
+            }
+        }
+        return null;
+    }
+
+    private Execute<ChangePlan> senderOf(@Nullable Event event) {
+        List<Execute<ChangePlan>> inOrder = senders;
+        for (int index = 0; event != null && index < inOrder.size(); index++) {
+            if (sends(inOrder.get(index), event)) {
+                return inOrder.get(index);
+            }
+        }
+        return inOrder.get(0);
+    }
+
+    private static boolean sends(Execute<ChangePlan> execute, Event event) {
+        return execute instanceof EventExecute sender && sender.events().contains(event);
+    }
+
+    // For the component that has the turn
+
+    /** A component takes up a plan. */
+    void takeUp() {
+        handedBack = false;
+    }
+
+    /** Leaves a directive for another component. */
+    void handBack(Agenda agenda, Output.Directive directive) {
+        agenda.handBack(directive);
+        handedBack = true;
+    }
+
+    /** Whether {@code execute} can send {@code step}; if not, another one can. @throws IllegalStateException if none can */
+    boolean canSend(Step step, EventExecute execute) {
+        if (sends(execute, step.trigger())) {
+            return true;
+        }
+        for (Execute<ChangePlan> other : senders) {
+            if (sends(other, step.trigger())) {
+                return false;
+            }
+        }
+        throw new IllegalStateException("no execute component can send " + step.trigger() + " any more");
+    }
+
+    /** Whether no other component is left to be asked for the device's state. */
+    boolean isLast(EventExecute execute) {
+        return senders.indexOf(execute) == senders.size() - 1;
+    }
+
+    /** {@code execute} settles; the one that sent comes first. */
+    void settles(EventExecute execute) {
+        settledFirst = settledFirst == null ? execute : settledFirst;
+    }
+
+    /** The component that settles after {@code last}: the one that sent comes first, the others follow in order. */
+    @Nullable
+    EventExecute settlesAfter(EventExecute last) {
+        EventExecute first = settledFirst;
+        int from = last == first ? 0 : senders.indexOf(last) + 1;
+        for (int index = from; index < senders.size(); index++) {
+            if (senders.get(index) != first && senders.get(index) instanceof EventExecute next) {
+                return next;
+            }
+        }
+        return null;
+    }
+}
