@@ -33,12 +33,11 @@ public final class DecisionTable {
     private final ModelPair pair;
     private final DeviceEvents device;
     private final EventNames names;
-    /** Whether the device takes any event by itself that could be sent. */
-    private final boolean interferes;
 
     private final EventConversion conversion;
     private final GuardedTriggers originalGuards;
     private final GuardedTriggers evolvedGuards;
+    private final Turns turns;
     /** In the order in which they were reached, which is the order of their numbers. */
     private final Map<Configuration, Integer> situations = new LinkedHashMap<>();
     /** The configurations by number, including those still to be explored. */
@@ -60,11 +59,11 @@ public final class DecisionTable {
     private DecisionTable(ModelPair pair, DeviceEvents device) {
         this.pair = pair;
         this.device = device.declaredBy(pair.original());
-        this.interferes = this.device.spontaneous().stream().anyMatch(this.device.sendable()::contains);
         this.conversion = new EventConversion(pair, this.device);
         this.names = EventNames.of(pair);
         this.originalGuards = new GuardedTriggers(pair.original());
         this.evolvedGuards = new GuardedTriggers(pair.evolved());
+        this.turns = new Turns(pair, this.device, conversion, originalGuards, evolvedGuards);
         pair.evolved().events().forEach(this::giveNumber);
         pair.original().events().forEach(this::giveNumber);
         this.asked = new DecisionCells(numbers.size());
@@ -116,8 +115,8 @@ public final class DecisionTable {
         }
     }
 
-    private void follow(int situation, List<Turn> turns, Set<Decision.Impossible> impossible) {
-        for (Turn turn : turns) {
+    private void follow(int situation, List<Turn> coming, Set<Decision.Impossible> impossible) {
+        for (Turn turn : coming) {
             if (turn.decision() instanceof Decision.Impossible found) {
                 // An event that cannot come is reported once, not in each configuration.
                 if (!conversion.isUnsendable(turn.event().trigger())) {
@@ -138,18 +137,7 @@ public final class DecisionTable {
     }
 
     private List<Turn> expected(Configuration at, int situation) {
-        List<Turn> turns = new ArrayList<>();
-        for (Transition transition : pair.evolved().transitionsFrom(at.evolved())) {
-            if (evolvedGuards.shadowOf(transition) == null) {
-                turns.add(turn(at, situation, transition.event(), false));
-            }
-        }
-        for (Transition transition : pair.original().transitionsFrom(at.original())) {
-            if (device.isOwn(transition.event().trigger()) && isUnheard(at, transition)) {
-                turns.add(turn(at, situation, transition.event(), false));
-            }
-        }
-        return turns;
+        return turns.expected(at, (event, deviceActed) -> decide(at, situation, event, deviceActed));
     }
 
     /** The turns in {@code at} in which the device does by itself what could have been sent to it. */
@@ -158,40 +146,7 @@ public final class DecisionTable {
     }
 
     private List<Turn> interference(Configuration at, int situation) {
-        if (!interferes) {
-            return List.of();
-        }
-        List<Turn> turns = new ArrayList<>();
-        for (Transition transition : pair.evolved().transitionsFrom(at.evolved())) {
-            if (isSpontaneous(transition)
-                    && evolvedGuards.shadowOf(transition) == null
-                    && conversion.originalTransition(at.original(), transition.event()) != null) {
-                turns.add(turn(at, situation, transition.event(), true));
-            }
-        }
-        for (Transition transition : pair.original().transitionsFrom(at.original())) {
-            if (isSpontaneous(transition) && isUnheard(at, transition)) {
-                turns.add(turn(at, situation, transition.event(), true));
-            }
-        }
-        return turns;
-    }
-
-    private boolean isSpontaneous(Transition transition) {
-        Event trigger = transition.event().trigger();
-        return device.spontaneous().contains(trigger) && device.sendable().contains(trigger);
-    }
-
-    /** Whether the device may take {@code transition} although the new model does not accept its event. */
-    private boolean isUnheard(Configuration at, Transition transition) {
-        return originalGuards.shadowOf(transition) == null
-                && !pair.evolved().hasTransition(at.evolved(), transition.event())
-                && !pair.evolved()
-                        .hasTransition(at.evolved(), transition.event().trigger());
-    }
-
-    private Turn turn(Configuration at, int situation, Event event, boolean deviceActed) {
-        return new Turn(event, deviceActed, decide(at, situation, event, deviceActed));
+        return turns.interference(at, (event, deviceActed) -> decide(at, situation, event, deviceActed));
     }
 
     /** Decides all events of either model in {@code at}; any other is ignored there. */
@@ -392,7 +347,7 @@ public final class DecisionTable {
 
     /**
      * The decision after the device was found in {@code original}: the new model stays where it is if the two states
-     * are a reachable pair, that is, if expected events can lead there; else it follows the device. Of several states
+     * are a reachable pair, also by the device's interference; else it follows the device. Of several states
      * that differ only in the new model's history, it enters the first that forms a reachable pair with the device's.
      *
      * @param original a state of the original model
@@ -471,11 +426,8 @@ public final class DecisionTable {
             transition.effects().forEach(missing::remove);
         }
         for (Configuration at : situations.keySet()) {
-            List<Turn> turns = expected(at);
-            turns.addAll(interference(at));
-            for (Turn turn : turns) {
-                missing.addAll(turn.decision().effects());
-            }
+            expected(at).forEach(turn -> missing.addAll(turn.decision().effects()));
+            interference(at).forEach(turn -> missing.addAll(turn.decision().effects()));
         }
         drawn.retainAll(missing);
         return drawn;
