@@ -13,8 +13,8 @@ byte lost_taken;
 byte lost_attempts;
 
 /*
- * Whether device and new model were left in states that do not go together by what failed, by what a function had the device
- * do, or by a swap, which takes over such states as they are. That no longer counts once the new model has to follow the device.
+ * Whether device and new model were left in states that do not go together by what failed or by what a function had the device
+ * do, before or after a swap. That no longer counts once the new model has to follow the device.
  */
 bit may_be_apart;
 

@@ -397,13 +397,16 @@ inline evolved() {
     code = FATE;
     timer = timer_table[IX(pair, 0, system_at, 0)];
     goes_on = over || !open || (!FATE_SENDS(code) && KEEPS_FUNCTION(code));
-    may_part = !FATE_SENDS(code);
+    may_part = !FATE_SENDS(code) && !STANDS_TOGETHER(device_at, system_at);
     pair = 1 - pair;
 #ifdef OTHER_MODELS_BEGIN_WHERE_THEY_WOULD_INITIALLY
     system_at = INITIAL_SYSTEM;
     device_at = INITIAL_DEVICE;
 #else
     system_at = FATE_SYSTEM(code);
+#endif
+#ifndef A_SWAP_LEAVES_THE_STATES_APART
+    owed = owed || (!FATE_SENDS(code) && !may_part && !STANDS_TOGETHER(device_at, system_at));
 #endif
     k = 0;
     do

@@ -148,6 +148,7 @@ MUTANTS = (
     Mutant("A_LATE_EFFECT_MOVES_THE_DEVICE_ONLY", "the new model follows a late effect", "together", ROBOT, {"PRESSES": 1, "GIVE_UPS": 1}),
     Mutant("AN_ANSWER_MOVES_THE_DEVICE_ONLY", "the new model follows the device's answer, after older facts", "together", BULB, {"PRESSES": 1, "OWNS": 1, "GIVE_UPS": 1}),
     Mutant("A_FACT_THAT_FAILS_MOVES_THE_DEVICE_ONLY", "the new model follows a fact that fails before it is decided", "together", ROBOT, {"OWNS": 1, "FAILS": 1}),
+    Mutant("A_SWAP_LEAVES_THE_STATES_APART", "after a swap the new model follows what the device has done", "together", BULB, {"PRESSES": 1, "OWNS": 1, "SWAPS": 1}),
     Mutant("NOBODY_IS_ASKED_TO_GO_ON", "each step that took effect requests the next", "drains", ROBOT, {"PRESSES": 1}, in_core=False),
     Mutant("A_SWAP_HAS_NO_DEADLINE", "a swap that has to wait is abandoned eventually", "swaps", BULB, {"PRESSES": 1, "OWNS": 1, "GIVE_UPS": 1, "SWAPS": 1}, WORST, in_core=False),
 )  # fmt: skip

@@ -55,7 +55,6 @@ final class Carrier {
     /** Carries out {@code plan} as far as {@code execute} can. */
     void carryOut(ChangePlan plan, EventExecute execute) throws Exception {
         Agenda agenda = takeUp(plan);
-        senders.takeUp();
         long number = agenda.turn();
         Exception notSettled = null;
         for (Output.Directive next = agenda.poll(); next != null; next = agenda.poll()) {

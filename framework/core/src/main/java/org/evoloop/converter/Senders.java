@@ -52,12 +52,14 @@ final class Senders implements Dispatch<ChangePlan> {
     public @Nullable Execute<ChangePlan> next(
             ChangePlan plan, List<Execute<ChangePlan>> inOrder, @Nullable Execute<ChangePlan> last) {
         senders = inOrder;
+        boolean isUnfinished = handedBack;
+        handedBack = false;
         if (last == null) {
             settledFirst = null;
             return senderOf(firstToSend(plan));
         }
         // Only what was handed back is left to do, and looking takes a lock.
-        Output.Directive directive = handedBack ? driver.toDo(plan) : null;
+        Output.Directive directive = isUnfinished ? driver.toDo(plan) : null;
         if (directive instanceof Output.Send send) {
             return senderOf(send.step().trigger());
         }
@@ -93,11 +95,6 @@ final class Senders implements Dispatch<ChangePlan> {
     }
 
     // For the component that has the turn
-
-    /** A component takes up a plan. */
-    void takeUp() {
-        handedBack = false;
-    }
 
     /** Leaves a directive for another component. */
     void handBack(Agenda agenda, Output.Directive directive) {

@@ -99,10 +99,15 @@ final class Trial implements ConverterListener {
         if (entry.outcome() == Outcome.FAILED) {
             return entry.occurrence().label() + " failed: " + entry.detail();
         }
-        return entry.decision() instanceof Decision.Resynchronization
+        return entry.decision() instanceof Decision.Resynchronization found && isNews(found)
                 ? "the device was " + entry.occurrence().label() + " when it was taken to be in "
                         + entry.before().original()
                 : watch.faultIn(entry);
+    }
+
+    /** Whether the record was wrong, and not only the new model elsewhere. */
+    private static boolean isNews(Decision.Resynchronization found) {
+        return !found.before().original().equals(found.after().original());
     }
 
     @Override

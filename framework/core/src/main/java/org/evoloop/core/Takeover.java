@@ -65,6 +65,7 @@ final class Takeover {
         boolean continues = ledger.stay.isOver() || !ledger.open || (settled && keepsFunction(maps));
         line(swap.succession(), maps, continues);
         stay(swap.succession(), maps, continues);
+        ledger.followOwed |= settled && !maps.to().equals(maps.at());
         if (!settled) {
             ledger.line.addFirst(new Pending(ledger.counts.observe(), evolved, null, null, ledger.place.steps(), 0));
         }

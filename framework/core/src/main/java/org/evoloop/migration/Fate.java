@@ -17,7 +17,7 @@ public sealed interface Fate {
      * The swap is possible.
      *
      * @param at the states of device and evolved system as soon as the next models take over
-     * @param to their states when all steps have been sent
+     * @param to their states in the end: when all steps have been sent, or the new model has followed the device
      * @param steps the steps sent to get there; usually none
      * @param carried how the timers and the functions of both states are carried over
      */

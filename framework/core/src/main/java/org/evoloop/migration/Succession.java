@@ -56,8 +56,7 @@ public final class Succession {
         }
         Configuration there = new Configuration(device, system);
         if (!running.standsTogether(at)) {
-            // A plan failed, the new model has not followed the device yet, or someone has operated the device.
-            return new Fate.Maps(there, there, List.of(), belongings.carried(at.evolved(), system, true));
+            return new Fate.Maps(there, end(at, there), List.of(), belongings.carried(at.evolved(), system, true));
         }
         Decision settled = next.settle(there);
         if (settled instanceof Decision.Impossible impossible) {
@@ -65,6 +64,17 @@ public final class Succession {
         }
         List<Step> steps = settled.steps();
         return new Fate.Maps(there, settled.after(), steps, belongings.carried(at.evolved(), system, steps.isEmpty()));
+    }
+
+    /**
+     * Where a pair of states ends to which no expected event leads. If someone has operated the device, and the next
+     * models do not know the two states together, the new model follows. If a plan has failed, or facts wait that the
+     * new model has yet to follow, they remain as they are.
+     */
+    private Configuration end(Configuration at, Configuration there) {
+        return running.find(at, at.original()).leavesState()
+                ? there
+                : next.find(there, there.original()).after();
     }
 
     /** The successor of {@code state} of the running original model; null if it has none. */

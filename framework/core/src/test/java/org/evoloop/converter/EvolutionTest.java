@@ -129,6 +129,25 @@ class EvolutionTest {
         assertThat(player.last().occurrence().label()).isEqualTo("evolved to next");
     }
 
+    /** That is nothing that the models have done wrong, so it does not end their probation. */
+    @Test
+    void theNewModelFollowsWhatSomeoneHasDoneToTheDevice() {
+        playAndFade();
+        player.acts("pause");
+        player.settle();
+        assertThat(player.states()).hasToString("(Paused, Fading)");
+
+        Evolution.Result result = player.converter.evolve(Evolution.to(Player.dozing(NewFunction.none()))
+                .withMapping(Mapping.byName().withState(new State("Fading"), new State("Playing")))
+                .withProbation(Probation.of(Duration.ofMinutes(1))));
+        player.settle();
+
+        assertThat(result.after()).hasToString("(Paused, Paused)");
+        assertThat(player.states()).hasToString("(Paused, Paused)");
+        assertThat(player.sent).containsExactly("play");
+        assertThat(player.converter.status().evolution()).contains("on probation");
+    }
+
     @Test
     void theDeviceItselfMayHaveLearntSomething() {
         player.press("play");

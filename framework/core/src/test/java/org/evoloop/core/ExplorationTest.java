@@ -99,7 +99,7 @@ class ExplorationTest {
     }
 
     static Stream<Scene> evolving() {
-        return Stream.of(Scene.dancingRobot(), Scene.busyRobot())
+        return Stream.of(Scene.dancingRobot(), Scene.busyRobot(), Scene.plainBulb())
                 .flatMap(scene -> Stream.of(
                         scene.with(2, Act.EVOLVE, Act.PRESS).with(1, Act.OWN),
                         scene.with(2, Act.PRESS).with(1, Act.EVOLVE, Act.RAISE, Act.STOP),

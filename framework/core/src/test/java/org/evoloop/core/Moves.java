@@ -115,6 +115,8 @@ final class Moves {
                 && new Core(world.rules(), now, output -> {}).hindrance(swap).isEmpty()) {
             World next = world.spent(Act.EVOLVE);
             next.evolved = !world.evolved;
+            // States that are together in neither models' table remain as they are.
+            next.mayBeApart |= !world.isTogether(now.at());
             next.device = Objects.requireNonNull(swap.succession().deviceState(world.device));
             found.add(Move.noticed(new Input.Evolved(swap, time), next));
         }

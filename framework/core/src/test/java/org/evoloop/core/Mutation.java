@@ -272,6 +272,12 @@ enum Mutation {
             return input instanceof Input.Located ? Snapshots.followOwed(after, before.followOwed()) : after;
         }
     },
+    A_SWAP_LEAVES_THE_STATES_APART("apart", Scene.plainBulb().with(1, Act.PRESS, Act.OWN, Act.EVOLVE)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.Evolved ? Snapshots.followOwed(after, before.followOwed()) : after;
+        }
+    },
     A_FACT_THAT_FAILS_MOVES_THE_DEVICE_ONLY("apart", Scene.robot().with(1, Act.OWN, Act.FAIL)) {
         @Override
         Snapshot undo(Snapshot before, Input input, Snapshot after) {

@@ -166,6 +166,16 @@ record Scene(
                                 "Spot endSpot -> On"));
     }
 
+    /** The bulb, whose next new model is the original one: wherever the new light is on, the device knows nothing of it. */
+    static Scene plainBulb() {
+        StateMachine original = PaperModels.lightBulb().original();
+        Scene plain = of("plain bulb", new ModelPair(original, original), Map.of(), "switch", "switch", 2);
+        Mapping lights = Mapping.byName()
+                .withState(new State("wait"), new State("on"))
+                .withState(new State("incandescentOn"), new State("off"));
+        return bulb().evolvingTo(plain, lights);
+    }
+
     private Scene evolvingTo(String learnt, String spontaneous, StateMachine evolved) {
         ModelPair pair = new ModelPair(rules.table().models().original(), evolved);
         Map<String, String> timers = Map.of("SpotWait", "timeout", "Dance", "timeout", "Move", "timeout");

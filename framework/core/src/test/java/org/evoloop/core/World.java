@@ -143,7 +143,6 @@ final class World {
         if (input instanceof Input.Sending && (work == null || !work.sending())) {
             noLongerSent();
         }
-        mayBeApart |= input instanceof Input.Evolved;
         for (Output output : said) {
             if (output instanceof Output.Begin) {
                 plans.clear();

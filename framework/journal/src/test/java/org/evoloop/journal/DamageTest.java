@@ -144,7 +144,8 @@ class DamageTest {
         assertThatThrownBy(() -> JournaledCore.recovered(Robot.RULES, journal, clock))
                 .isInstanceOf(JournalException.class)
                 .hasMessage(segment
-                        + ", byte 8: it is written in version 9 of the format, and this Evoloop reads version 6; use "
+                        + ", byte 8: it is written in version 9 of the format, and this Evoloop reads version "
+                        + Preamble.VERSION + "; use "
                         + "the version of Evoloop that wrote it, or start with an empty directory");
     }
 
