@@ -126,9 +126,12 @@ final class Sequencer<O> {
 
     /** Hands the turn on; false if {@code from} was given up meanwhile. */
     boolean pass(StageWorker<?> from, StageWorker<?> next) {
-        supervisor.stepBegins();
-        if (TURN.compareAndSet(this, from, next)) {
-            return true;
+        // One that was given up must not give more time to the one that has the turn now.
+        if (busy == from) {
+            supervisor.stepBegins();
+            if (TURN.compareAndSet(this, from, next)) {
+                return true;
+            }
         }
         // It is marked as stuck under the lock, and must see that before it returns.
         lock.acquire();

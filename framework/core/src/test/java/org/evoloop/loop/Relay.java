@@ -19,7 +19,11 @@ final class Relay implements AutoCloseable {
     final MapeLoop<String, String, String> loop;
 
     Relay(LoopConfig config) {
-        loop = new MapeLoop<>(config, listener());
+        this(config, Dispatch.toEach());
+    }
+
+    Relay(LoopConfig config, Dispatch<String> dispatch) {
+        loop = new MapeLoop<>(config, listener(), dispatch, new Backlog<>(config.queueCapacity()));
         loop.addMonitor(new Ears("ears"));
         loop.addAnalyze(new Brain());
         loop.addPlan(new Will());
