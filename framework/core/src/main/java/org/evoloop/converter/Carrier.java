@@ -60,7 +60,7 @@ final class Carrier {
         for (Output.Directive next = agenda.poll(); next != null; next = agenda.poll()) {
             if (next instanceof Output.Send send) {
                 if (!senders.canSend(send.step(), execute)) {
-                    senders.handBack(agenda, next);
+                    senders.handBack(plan, agenda, next);
                     return;
                 }
                 send(number, send.step(), plan.occurrence().values(), execute);
@@ -68,17 +68,18 @@ final class Carrier {
                 run(number, run.effect(), plan.occurrence(), execute);
             } else if (next instanceof Output.Locate) {
                 if (!locate(number, execute)) {
-                    senders.handBack(agenda, next);
+                    senders.handBack(plan, agenda, next);
                     return;
                 }
             } else if (next instanceof Output.Settle settle) {
                 books.transcript().say();
+                EventExecute first = agenda.settles(execute);
                 notSettled = settle(execute, settle);
-                if (senders.settlesAfter(execute) != null) {
+                if (senders.settlesAfter(execute, first) != null) {
                     if (notSettled != null) {
                         reports.failed(execute, "settled", notSettled);
                     }
-                    senders.handBack(agenda, next);
+                    senders.handBack(plan, agenda, next);
                     return;
                 }
             } else {
@@ -212,8 +213,7 @@ final class Carrier {
     }
 
     /** Returns what {@code execute} threw; null if it has settled. */
-    private @Nullable Exception settle(EventExecute execute, Output.Settle settle) {
-        senders.settles(execute);
+    private static @Nullable Exception settle(EventExecute execute, Output.Settle settle) {
         try {
             execute.settled(settle.now());
             return null;
@@ -242,8 +242,9 @@ final class Carrier {
         synchronized (driver) {
             Pending pending = outputs.begun;
             outputs.left = false;
+            // The component that was given up may return at any time, and must find nothing to do.
+            outputs.agenda = outputs.agenda.end();
             if (pending != null && driver.core.isBusy()) {
-                outputs.agenda.end();
                 outputs.agenda = new Agenda();
                 long now = clock.nanoTime();
                 if (unknown) {
@@ -255,6 +256,13 @@ final class Carrier {
             left = outputs.left;
         }
         carryOut(left ? occurrence.values() : null);
+    }
+
+    /** The thread that carries out directives that belong to no occurrence hangs, and is left to itself. */
+    void abandon() {
+        synchronized (driver) {
+            outputs.agenda = outputs.agenda.end();
+        }
     }
 
     private void carryOut(@Nullable Values carried) {

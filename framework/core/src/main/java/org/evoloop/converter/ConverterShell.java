@@ -208,6 +208,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
         Duration limit = config.joinLimit().multipliedBy(2);
         String hangs = hooks.call(limit, carrier::carryOut);
         if (!hangs.isEmpty()) {
+            carrier.abandon();
             books.failures()
                     .fault("end of a visit", new Failure<>("visit", "onEnd", 0, null, Hooks.late(limit, hangs)));
         }

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.evoloop.core.Output;
+import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 import org.evoloop.loop.Dispatch;
 import org.evoloop.loop.Execute;
@@ -24,11 +25,8 @@ final class Senders implements Dispatch<ChangePlan> {
     /** The loop's execute components, in the order in which they are tried. */
     private volatile List<Execute<ChangePlan>> senders = List.of();
 
-    /** Whether the execute component that returned last left a directive for another one. */
-    private volatile boolean handedBack;
-
-    /** The execute component that settled first; null if none has and others still have to. */
-    private volatile @Nullable EventExecute settledFirst;
+    /** The last occurrence of whose plan a component has left a directive for another one; null if there was none. */
+    private volatile @Nullable Occurrence shared;
 
     Senders(CoreDriver driver) {
         this.driver = driver;
@@ -52,19 +50,20 @@ final class Senders implements Dispatch<ChangePlan> {
     public @Nullable Execute<ChangePlan> next(
             ChangePlan plan, List<Execute<ChangePlan>> inOrder, @Nullable Execute<ChangePlan> last) {
         senders = inOrder;
-        boolean isUnfinished = handedBack;
-        handedBack = false;
         if (last == null) {
-            settledFirst = null;
             return senderOf(firstToSend(plan));
         }
         // Only what was handed back is left to do, and looking takes a lock.
-        Output.Directive directive = isUnfinished ? driver.toDo(plan) : null;
+        Agenda agenda = shared == plan.occurrence() ? driver.agendaOf(plan) : null;
+        if (agenda == null) {
+            return null;
+        }
+        Output.Directive directive = agenda.peek();
         if (directive instanceof Output.Send send) {
             return senderOf(send.step().trigger());
         }
         if (directive instanceof Output.Settle && last instanceof EventExecute settled) {
-            return settlesAfter(settled);
+            return settlesAfter(settled, agenda.settledFirst());
         }
         return directive == null ? null : inOrder.get(inOrder.indexOf(last) + 1);
     }
@@ -96,10 +95,10 @@ final class Senders implements Dispatch<ChangePlan> {
 
     // For the component that has the turn
 
-    /** Leaves a directive for another component. */
-    void handBack(Agenda agenda, Output.Directive directive) {
+    /** Leaves a directive of {@code plan} for another component. */
+    void handBack(ChangePlan plan, Agenda agenda, Output.Directive directive) {
         agenda.handBack(directive);
-        handedBack = true;
+        shared = plan.occurrence();
     }
 
     /** Whether {@code execute} can send {@code step}; if not, another one can. @throws IllegalStateException if none can */
@@ -120,15 +119,13 @@ final class Senders implements Dispatch<ChangePlan> {
         return senders.indexOf(execute) == senders.size() - 1;
     }
 
-    /** {@code execute} settles; the one that sent comes first. */
-    void settles(EventExecute execute) {
-        settledFirst = settledFirst == null ? execute : settledFirst;
-    }
-
-    /** The component that settles after {@code last}: the one that sent comes first, the others follow in order. */
+    /**
+     * The component that settles after {@code last}; null if all have.
+     *
+     * @param first the one that sent, which has settled first; the others follow in order
+     */
     @Nullable
-    EventExecute settlesAfter(EventExecute last) {
-        EventExecute first = settledFirst;
+    EventExecute settlesAfter(EventExecute last, @Nullable EventExecute first) {
         int from = last == first ? 0 : senders.indexOf(last) + 1;
         for (int index = from; index < senders.size(); index++) {
             if (senders.get(index) != first && senders.get(index) instanceof EventExecute next) {
