@@ -108,7 +108,8 @@ final class Sequencer<O> {
         if (next == null || first == null) {
             return;
         }
-        room.signal();
+        // All: there may be room for another than the one who has waited longest.
+        room.signalAll();
         cycle++;
         occurrence = next;
         if (first.isStuck()) {
@@ -166,7 +167,7 @@ final class Sequencer<O> {
         ended.signalAll();
         begin();
         if (busy == null) {
-            room.signal();
+            room.signalAll();
         }
     }
 

@@ -23,7 +23,11 @@ final class Relay implements AutoCloseable {
     }
 
     Relay(LoopConfig config, Dispatch<String> dispatch) {
-        loop = new MapeLoop<>(config, listener(), dispatch, new Backlog<>(config.queueCapacity()));
+        this(config, dispatch, new Backlog<>(config.queueCapacity()));
+    }
+
+    Relay(LoopConfig config, Dispatch<String> dispatch, Intake<String> intake) {
+        loop = new MapeLoop<>(config, listener(), dispatch, intake);
         loop.addMonitor(new Ears("ears"));
         loop.addAnalyze(new Brain());
         loop.addPlan(new Will());
