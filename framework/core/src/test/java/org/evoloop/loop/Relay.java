@@ -17,6 +17,7 @@ final class Relay implements AutoCloseable {
     final BlockingQueue<Failure<String>> failures = new LinkedBlockingQueue<>();
     final BlockingQueue<String> dropped = new LinkedBlockingQueue<>();
     final MapeLoop<String, String, String> loop;
+    volatile boolean listenerFails;
 
     Relay(LoopConfig config) {
         this(config, Dispatch.toEach());
@@ -39,6 +40,9 @@ final class Relay implements AutoCloseable {
             @Override
             public void failed(Failure<String> failure) {
                 failures.add(failure);
+                if (listenerFails) {
+                    throw new IllegalStateException("cannot listen");
+                }
             }
 
             @Override
