@@ -131,8 +131,27 @@ final class Carrier {
             throw new IllegalStateException("the guards of the original model do not let " + step + " be taken now");
         }
         if (announce(number, execute)) {
-            execute.send(step);
+            try {
+                execute.send(step);
+            } catch (UnknownEffectException unknown) {
+                throw unknown;
+            } catch (Exception | Error failed) {
+                forget(number, execute);
+                throw failed;
+            }
             execute.sendReturned();
+        }
+    }
+
+    /**
+     * The step had no effect, so a report of one must not be taken for that of another component's step. If it was
+     * given up, it may still have one.
+     */
+    private void forget(long number, EventExecute execute) {
+        synchronized (driver) {
+            if (driver.core.maySend(number)) {
+                execute.sending = 0;
+            }
         }
     }
 
