@@ -31,7 +31,7 @@ final class Carrier {
 
     /** Is told of failures of components that do not end the event, since others continue. */
     interface Reports {
-        void failed(EventExecute execute, String phase, Exception cause);
+        void failed(EventExecute execute, String phase, Throwable cause);
     }
 
     Carrier(
@@ -56,7 +56,7 @@ final class Carrier {
     void carryOut(ChangePlan plan, EventExecute execute) throws Exception {
         Agenda agenda = takeUp(plan);
         long number = agenda.turn();
-        Exception notSettled = null;
+        Throwable notSettled = null;
         for (Output.Directive next = agenda.poll(); next != null; next = agenda.poll()) {
             if (next instanceof Output.Send send) {
                 if (!senders.canSend(send.step(), execute)) {
@@ -87,8 +87,11 @@ final class Carrier {
             }
         }
         books.transcript().say();
-        if (notSettled != null) {
-            throw notSettled;
+        if (notSettled instanceof Error error) {
+            throw error;
+        }
+        if (notSettled instanceof Exception exception) {
+            throw exception;
         }
     }
 
@@ -232,11 +235,11 @@ final class Carrier {
     }
 
     /** Returns what {@code execute} threw; null if it has settled. */
-    private static @Nullable Exception settle(EventExecute execute, Output.Settle settle) {
+    private static @Nullable Throwable settle(EventExecute execute, Output.Settle settle) {
         try {
             execute.settled(settle.now());
             return null;
-        } catch (Exception cause) {
+        } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {
             return cause;
         }
     }
