@@ -79,6 +79,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
         this.senders = new Senders(driver);
         this.carrier = new Carrier(driver, senders, visits, knowledge, books, this::failed);
         this.loop = new MapeLoop<>(config, this, senders, new CoreIntake(driver, watchman));
+        senders.attach(loop::isStuck);
         visits.attach(loop);
         watchman.attach(driver, loop::offer);
         adopt(first);

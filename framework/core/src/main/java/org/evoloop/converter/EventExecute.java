@@ -112,8 +112,8 @@ public abstract class EventExecute extends Execute<ChangePlan> {
 
     /**
      * An event has been handled, and the system is in the states {@code now}; the new function has not started yet. Set
-     * up here what the device needs in each state, such as a mode. Called for every execute component, one after
-     * another, whichever has sent something.
+     * up here what the device needs in each state, such as a mode. Called for every execute component that does not
+     * hang, one after another, whichever has sent something.
      *
      * @throws Exception any failure: it is reported
      */

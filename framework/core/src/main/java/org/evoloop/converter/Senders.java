@@ -2,6 +2,7 @@ package org.evoloop.converter;
 
 import java.util.List;
 import java.util.Set;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.evoloop.core.Output;
 import org.evoloop.evolution.Occurrence;
@@ -28,8 +29,16 @@ final class Senders implements Dispatch<ChangePlan> {
     /** The last occurrence of whose plan a component has left a directive for another one; null if there was none. */
     private volatile @Nullable Occurrence shared;
 
+    /** Whether a component has hung. Only the one that has the turn can begin to. */
+    private volatile Predicate<Execute<ChangePlan>> stuck = execute -> false;
+
     Senders(CoreDriver driver) {
         this.driver = driver;
+    }
+
+    /** Sets how to find out which components have hung; before the first event. */
+    void attach(Predicate<Execute<ChangePlan>> hung) {
+        stuck = hung;
     }
 
     /** Replaces the execute components. */
@@ -65,7 +74,7 @@ final class Senders implements Dispatch<ChangePlan> {
         if (directive instanceof Output.Settle && last instanceof EventExecute settled) {
             return settlesAfter(settled, agenda.settledFirst());
         }
-        return directive == null ? null : inOrder.get(inOrder.indexOf(last) + 1);
+        return directive == null ? null : firstFree(inOrder.indexOf(last) + 1);
     }
 
     private static @Nullable Event firstToSend(ChangePlan plan) {
@@ -86,7 +95,19 @@ final class Senders implements Dispatch<ChangePlan> {
                 return inOrder.get(index);
             }
         }
-        return inOrder.get(0);
+        Execute<ChangePlan> free = firstFree(0);
+        return free == null ? inOrder.get(0) : free;
+    }
+
+    /** The first component from {@code index} on that has not hung; null if there is none. */
+    private @Nullable Execute<ChangePlan> firstFree(int index) {
+        List<Execute<ChangePlan>> inOrder = senders;
+        for (int next = index; next < inOrder.size(); next++) {
+            if (!stuck.test(inOrder.get(next))) {
+                return inOrder.get(next);
+            }
+        }
+        return null;
     }
 
     private static boolean sends(Execute<ChangePlan> execute, Event event) {
@@ -116,11 +137,11 @@ final class Senders implements Dispatch<ChangePlan> {
 
     /** Whether no other component is left to be asked for the device's state. */
     boolean isLast(EventExecute execute) {
-        return senders.indexOf(execute) == senders.size() - 1;
+        return firstFree(senders.indexOf(execute) + 1) == null;
     }
 
     /**
-     * The component that settles after {@code last}; null if all have.
+     * The component that settles after {@code last}; null if all have, but for those that have hung.
      *
      * @param first the one that sent, which has settled first; the others follow in order
      */
@@ -128,7 +149,8 @@ final class Senders implements Dispatch<ChangePlan> {
     EventExecute settlesAfter(EventExecute last, @Nullable EventExecute first) {
         int from = last == first ? 0 : senders.indexOf(last) + 1;
         for (int index = from; index < senders.size(); index++) {
-            if (senders.get(index) != first && senders.get(index) instanceof EventExecute next) {
+            Execute<ChangePlan> candidate = senders.get(index);
+            if (candidate != first && candidate instanceof EventExecute next && !stuck.test(next)) {
                 return next;
             }
         }

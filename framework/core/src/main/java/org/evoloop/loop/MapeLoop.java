@@ -392,6 +392,11 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
         return roster.workerOf(monitor) != null;
     }
 
+    /** Whether {@code execute} was given up and has not returned; what is left to it fails. */
+    public boolean isStuck(Execute<P> execute) {
+        return roster.isStuck(execute);
+    }
+
     /** The state of the loop's lifecycle. */
     public LoopState state() {
         return sequencer.state();
