@@ -31,7 +31,7 @@ final class Carrier {
 
     /** Is told of failures of components that do not end the event, since others continue. */
     interface Reports {
-        void failed(EventExecute execute, String phase, Exception cause);
+        void failed(EventExecute execute, String phase, Throwable cause);
     }
 
     Carrier(
@@ -56,11 +56,11 @@ final class Carrier {
     void carryOut(ChangePlan plan, EventExecute execute) throws Exception {
         Agenda agenda = takeUp(plan);
         long number = agenda.turn();
-        Exception notSettled = null;
+        Throwable notSettled = null;
         for (Output.Directive next = agenda.poll(); next != null; next = agenda.poll()) {
             if (next instanceof Output.Send send) {
                 if (!senders.canSend(send.step(), execute)) {
-                    senders.handBack(agenda, next);
+                    senders.handBack(plan, agenda, next);
                     return;
                 }
                 send(number, send.step(), plan.occurrence().values(), execute);
@@ -68,17 +68,18 @@ final class Carrier {
                 run(number, run.effect(), plan.occurrence(), execute);
             } else if (next instanceof Output.Locate) {
                 if (!locate(number, execute)) {
-                    senders.handBack(agenda, next);
+                    senders.handBack(plan, agenda, next);
                     return;
                 }
             } else if (next instanceof Output.Settle settle) {
                 books.transcript().say();
+                EventExecute first = agenda.settles(execute);
                 notSettled = settle(execute, settle);
-                if (senders.settlesAfter(execute) != null) {
+                if (senders.settlesAfter(execute, first) != null) {
                     if (notSettled != null) {
                         reports.failed(execute, "settled", notSettled);
                     }
-                    senders.handBack(agenda, next);
+                    senders.handBack(plan, agenda, next);
                     return;
                 }
             } else {
@@ -86,8 +87,11 @@ final class Carrier {
             }
         }
         books.transcript().say();
-        if (notSettled != null) {
-            throw notSettled;
+        if (notSettled instanceof Error error) {
+            throw error;
+        }
+        if (notSettled instanceof Exception exception) {
+            throw exception;
         }
     }
 
@@ -130,8 +134,27 @@ final class Carrier {
             throw new IllegalStateException("the guards of the original model do not let " + step + " be taken now");
         }
         if (announce(number, execute)) {
-            execute.send(step);
+            try {
+                execute.send(step);
+            } catch (UnknownEffectException unknown) {
+                throw unknown;
+            } catch (Exception | Error failed) {
+                forget(number, execute);
+                throw failed;
+            }
             execute.sendReturned();
+        }
+    }
+
+    /**
+     * The step had no effect, so a report of one must not be taken for that of another component's step. If it was
+     * given up, it may still have one.
+     */
+    private void forget(long number, EventExecute execute) {
+        synchronized (driver) {
+            if (driver.core.maySend(number)) {
+                execute.sending = 0;
+            }
         }
     }
 
@@ -212,12 +235,11 @@ final class Carrier {
     }
 
     /** Returns what {@code execute} threw; null if it has settled. */
-    private @Nullable Exception settle(EventExecute execute, Output.Settle settle) {
-        senders.settles(execute);
+    private static @Nullable Throwable settle(EventExecute execute, Output.Settle settle) {
         try {
             execute.settled(settle.now());
             return null;
-        } catch (Exception cause) {
+        } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {
             return cause;
         }
     }
@@ -242,8 +264,9 @@ final class Carrier {
         synchronized (driver) {
             Pending pending = outputs.begun;
             outputs.left = false;
+            // The component that was given up may return at any time, and must find nothing to do.
+            outputs.agenda = outputs.agenda.end();
             if (pending != null && driver.core.isBusy()) {
-                outputs.agenda.end();
                 outputs.agenda = new Agenda();
                 long now = clock.nanoTime();
                 if (unknown) {
@@ -255,6 +278,13 @@ final class Carrier {
             left = outputs.left;
         }
         carryOut(left ? occurrence.values() : null);
+    }
+
+    /** The thread that carries out directives that belong to no occurrence hangs, and is left to itself. */
+    void abandon() {
+        synchronized (driver) {
+            outputs.agenda = outputs.agenda.end();
+        }
     }
 
     private void carryOut(@Nullable Values carried) {

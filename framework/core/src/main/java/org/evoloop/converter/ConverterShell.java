@@ -79,6 +79,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
         this.senders = new Senders(driver);
         this.carrier = new Carrier(driver, senders, visits, knowledge, books, this::failed);
         this.loop = new MapeLoop<>(config, this, senders, new CoreIntake(driver, watchman));
+        senders.attach(loop::isStuck);
         visits.attach(loop);
         watchman.attach(driver, loop::offer);
         adopt(first);
@@ -208,6 +209,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
         Duration limit = config.joinLimit().multipliedBy(2);
         String hangs = hooks.call(limit, carrier::carryOut);
         if (!hangs.isEmpty()) {
+            carrier.abandon();
             books.failures()
                     .fault("end of a visit", new Failure<>("visit", "onEnd", 0, null, Hooks.late(limit, hangs)));
         }

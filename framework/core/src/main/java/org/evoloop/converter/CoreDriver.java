@@ -114,13 +114,13 @@ final class CoreDriver {
         return rules.decide(now, steps, pending, knowledge.bindings().with(occurrence.values()));
     }
 
-    /** The next directive of {@code plan}; null if there is none. Called by the thread whose turn it is. */
-    synchronized Output.@Nullable Directive toDo(ChangePlan plan) {
+    /** The agenda of {@code plan}; null if it does not have the turn. */
+    synchronized @Nullable Agenda agendaOf(ChangePlan plan) {
         Pending pending = outputs.begun;
         boolean hasTurn = pending != null
                 && pending.occurrence() == plan.occurrence()
                 && pending.number() == outputs.agenda.turn();
-        return hasTurn ? outputs.agenda.peek() : null;
+        return hasTurn ? outputs.agenda : null;
     }
 
     /** Nothing is in progress any more, and the converter is closed. */

@@ -37,10 +37,9 @@ final class Crewing {
         DecisionTable table = changed.has(Component.Role.EXECUTE)
                 ? changed.decisions(built.knowledge())
                 : built.driver.rules().table();
-        built.loop.remove(name);
+        built.loop.remove(name, () -> built.use(table, changed.executes()));
         belongings.giveBack(present.require(name));
         present = changed;
-        built.use(table, changed.executes());
     }
 
     void exchange(ConverterShell built, String name, Component next) {

@@ -112,8 +112,8 @@ public abstract class EventExecute extends Execute<ChangePlan> {
 
     /**
      * An event has been handled, and the system is in the states {@code now}; the new function has not started yet. Set
-     * up here what the device needs in each state, such as a mode. Called for every execute component, one after
-     * another, whichever has sent something.
+     * up here what the device needs in each state, such as a mode. Called for every execute component that does not
+     * hang, one after another, whichever has sent something.
      *
      * @throws Exception any failure: it is reported
      */
@@ -155,13 +155,13 @@ public abstract class EventExecute extends Execute<ChangePlan> {
      * @param isLast whether no other component can be asked, so that a failure is thrown
      * @param reports is told of any other failure
      */
-    final Optional<State> locate(StateKnowledge knowledge, boolean isLast, Consumer<Exception> reports)
+    final Optional<State> locate(StateKnowledge knowledge, boolean isLast, Consumer<Throwable> reports)
             throws Exception {
         try {
             return locate().map(knowledge::located);
         } catch (InterruptedException stop) {
             throw stop;
-        } catch (Exception cause) {
+        } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {
             if (isLast) {
                 throw cause;
             }

@@ -118,22 +118,25 @@ final class FailureLog {
         if (!isDue(count)) {
             return;
         }
-        synchronized (this) {
-            if (soon.size() >= DISTINCT) {
-                leftOut++;
-                return;
+        if (!willSay(line(what, count))) {
+            leaveOut();
+        } else if (isToBeSaidNow()) {
+            if (threads) {
+                Threads.start("mapek-log", this::saySoon);
+            } else {
+                saySoon();
             }
-            soon.add(line(what, count));
-            if (saying) {
-                return;
-            }
-            saying = true;
         }
-        if (threads) {
-            Threads.start("mapek-log", this::saySoon);
-        } else {
-            saySoon();
-        }
+    }
+
+    private synchronized boolean willSay(String line) {
+        return soon.size() < DISTINCT && soon.add(line);
+    }
+
+    private synchronized boolean isToBeSaidNow() {
+        boolean now = !saying;
+        saying = true;
+        return now;
     }
 
     private void saySoon() {
@@ -173,7 +176,6 @@ final class FailureLog {
 
     /** Whether there is room for one more line in this interval. */
     private boolean mayLog() {
-        boolean firstLeftOut;
         synchronized (this) {
             if (clock.nanoTime() - intervalNanos
                     >= Duration.ofSeconds(INTERVAL_SECONDS).toNanos()) {
@@ -184,12 +186,19 @@ final class FailureLog {
                 lines++;
                 return true;
             }
-            firstLeftOut = leftOut++ == 0;
         }
-        if (firstLeftOut) {
+        leaveOut();
+        return false;
+    }
+
+    private void leaveOut() {
+        boolean isFirst;
+        synchronized (this) {
+            isFirst = leftOut++ == 0;
+        }
+        if (isFirst) {
             sayLater();
         }
-        return false;
     }
 
     private void sayLater() {

@@ -42,9 +42,11 @@ final class GuardWatch {
             throw new IllegalStateException("guard [" + text + "] has not returned for " + limitNanos / 1_000_000
                     + " ms in another thread, and is not called again until it does");
         }
-        if (asked.getAndIncrement() == 0) {
+        // Before it counts as asked: another thread would take it to have hung since it was asked last.
+        if (!isAsked()) {
             movedNanos = now;
         }
+        asked.getAndIncrement();
         try {
             return condition.test(values);
         } catch (RuntimeException | Error cause) {

@@ -77,13 +77,18 @@ final class Listeners {
         final Thread thread = OwnedThread.of(Listeners.this, "mapek-" + config.name() + "-listeners", this::run);
 
         private void run() {
-            try {
-                for (Notice next = take(); !next.isLast(); next = take()) {
+            boolean goesOn = true;
+            while (goesOn) {
+                try {
+                    Notice next = take();
                     call(next);
                     losing = false;
+                    goesOn = !next.isLast();
+                } catch (InterruptedException interrupted) {
+                    // Either by a listener that interrupted its own thread, or because one did not return in time when
+                    // the converter was closed.
+                    goesOn = !closed;
                 }
-            } catch (InterruptedException stop) {
-                // A listener did not return in time when the converter was closed.
             }
         }
 

@@ -2,8 +2,10 @@ package org.evoloop.converter;
 
 import java.util.List;
 import java.util.Set;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.evoloop.core.Output;
+import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 import org.evoloop.loop.Dispatch;
 import org.evoloop.loop.Execute;
@@ -24,14 +26,19 @@ final class Senders implements Dispatch<ChangePlan> {
     /** The loop's execute components, in the order in which they are tried. */
     private volatile List<Execute<ChangePlan>> senders = List.of();
 
-    /** Whether the execute component that returned last left a directive for another one. */
-    private volatile boolean handedBack;
+    /** The last occurrence of whose plan a component has left a directive for another one; null if there was none. */
+    private volatile @Nullable Occurrence shared;
 
-    /** The execute component that settled first; null if none has and others still have to. */
-    private volatile @Nullable EventExecute settledFirst;
+    /** Whether a component has hung. Only the one that has the turn can begin to. */
+    private volatile Predicate<Execute<ChangePlan>> stuck = execute -> false;
 
     Senders(CoreDriver driver) {
         this.driver = driver;
+    }
+
+    /** Sets how to find out which components have hung; before the first event. */
+    void attach(Predicate<Execute<ChangePlan>> hung) {
+        stuck = hung;
     }
 
     /** Replaces the execute components. */
@@ -52,21 +59,22 @@ final class Senders implements Dispatch<ChangePlan> {
     public @Nullable Execute<ChangePlan> next(
             ChangePlan plan, List<Execute<ChangePlan>> inOrder, @Nullable Execute<ChangePlan> last) {
         senders = inOrder;
-        boolean isUnfinished = handedBack;
-        handedBack = false;
         if (last == null) {
-            settledFirst = null;
             return senderOf(firstToSend(plan));
         }
         // Only what was handed back is left to do, and looking takes a lock.
-        Output.Directive directive = isUnfinished ? driver.toDo(plan) : null;
+        Agenda agenda = shared == plan.occurrence() ? driver.agendaOf(plan) : null;
+        if (agenda == null) {
+            return null;
+        }
+        Output.Directive directive = agenda.peek();
         if (directive instanceof Output.Send send) {
             return senderOf(send.step().trigger());
         }
         if (directive instanceof Output.Settle && last instanceof EventExecute settled) {
-            return settlesAfter(settled);
+            return settlesAfter(settled, agenda.settledFirst());
         }
-        return directive == null ? null : inOrder.get(inOrder.indexOf(last) + 1);
+        return directive == null ? null : firstFree(inOrder.indexOf(last) + 1);
     }
 
     private static @Nullable Event firstToSend(ChangePlan plan) {
@@ -87,7 +95,19 @@ final class Senders implements Dispatch<ChangePlan> {
                 return inOrder.get(index);
             }
         }
-        return inOrder.get(0);
+        Execute<ChangePlan> free = firstFree(0);
+        return free == null ? inOrder.get(0) : free;
+    }
+
+    /** The first component from {@code index} on that has not hung; null if there is none. */
+    private @Nullable Execute<ChangePlan> firstFree(int index) {
+        List<Execute<ChangePlan>> inOrder = senders;
+        for (int next = index; next < inOrder.size(); next++) {
+            if (!stuck.test(inOrder.get(next))) {
+                return inOrder.get(next);
+            }
+        }
+        return null;
     }
 
     private static boolean sends(Execute<ChangePlan> execute, Event event) {
@@ -96,10 +116,10 @@ final class Senders implements Dispatch<ChangePlan> {
 
     // For the component that has the turn
 
-    /** Leaves a directive for another component. */
-    void handBack(Agenda agenda, Output.Directive directive) {
+    /** Leaves a directive of {@code plan} for another component. */
+    void handBack(ChangePlan plan, Agenda agenda, Output.Directive directive) {
         agenda.handBack(directive);
-        handedBack = true;
+        shared = plan.occurrence();
     }
 
     /** Whether {@code execute} can send {@code step}; if not, another one can. @throws IllegalStateException if none can */
@@ -117,21 +137,20 @@ final class Senders implements Dispatch<ChangePlan> {
 
     /** Whether no other component is left to be asked for the device's state. */
     boolean isLast(EventExecute execute) {
-        return senders.indexOf(execute) == senders.size() - 1;
+        return firstFree(senders.indexOf(execute) + 1) == null;
     }
 
-    /** {@code execute} settles; the one that sent comes first. */
-    void settles(EventExecute execute) {
-        settledFirst = settledFirst == null ? execute : settledFirst;
-    }
-
-    /** The component that settles after {@code last}: the one that sent comes first, the others follow in order. */
+    /**
+     * The component that settles after {@code last}; null if all have, but for those that have hung.
+     *
+     * @param first the one that sent, which has settled first; the others follow in order
+     */
     @Nullable
-    EventExecute settlesAfter(EventExecute last) {
-        EventExecute first = settledFirst;
+    EventExecute settlesAfter(EventExecute last, @Nullable EventExecute first) {
         int from = last == first ? 0 : senders.indexOf(last) + 1;
         for (int index = from; index < senders.size(); index++) {
-            if (senders.get(index) != first && senders.get(index) instanceof EventExecute next) {
+            Execute<ChangePlan> candidate = senders.get(index);
+            if (candidate != first && candidate instanceof EventExecute next && !stuck.test(next)) {
                 return next;
             }
         }

@@ -20,13 +20,16 @@ final class Stopping {
     private final String name;
     private @Nullable Thread thread;
 
+    /** Whether it is to be done once more: the converter may have been started again after it was last done. */
+    private boolean again;
+
     /** @param name the converter's */
     Stopping(String name) {
         this.name = name;
     }
 
     /**
-     * Runs {@code rest}, unless it is already running.
+     * Runs {@code rest}; if it is already running, once more after that.
      *
      * @param atOnce whether to return without waiting for it
      * @return whether it has finished
@@ -36,13 +39,30 @@ final class Stopping {
         synchronized (this) {
             doing = thread;
             if (doing == null || !doing.isAlive()) {
-                doing = new Thread(rest, "converter-" + name + "-stop");
+                again = false;
+                doing = new Thread(() -> work(rest), "converter-" + name + "-stop");
                 doing.setDaemon(true);
                 thread = doing;
                 doing.start();
+            } else {
+                again = true;
             }
         }
         return !atOnce && Threads.join(doing, Duration.ofMillis(ANSWER_MILLIS));
+    }
+
+    private void work(Runnable rest) {
+        do {
+            rest.run();
+        } while (isWantedAgain());
+    }
+
+    /** If not, the next stop begins a thread of its own, although this one may still be alive for a moment. */
+    private synchronized boolean isWantedAgain() {
+        boolean wanted = again;
+        again = false;
+        thread = wanted ? thread : null;
+        return wanted;
     }
 
     /**

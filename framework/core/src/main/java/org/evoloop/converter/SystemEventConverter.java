@@ -219,6 +219,9 @@ public final class SystemEventConverter implements AutoCloseable {
         if (shell != null) {
             throw new IllegalStateException("converter " + config.name() + " has been built before");
         }
+        if (changes.isClosing()) {
+            throw new IllegalStateException("converter " + config.name() + " has been closed");
+        }
         Construction construction = new Construction(config, belongings, crewing.present());
         StateKnowledge complete = construction.complete(known);
         try {
@@ -242,6 +245,10 @@ public final class SystemEventConverter implements AutoCloseable {
         ConverterShell built = built();
         stopping.await(ownsCurrentThread());
         changes.change(() -> {
+            if (built.loop.state() == LoopState.EXITED) {
+                // Its components may belong to another converter by now.
+                throw new IllegalStateException("the loop " + config.name() + " has ended");
+            }
             if (built.loop.state() != LoopState.RUNNING) {
                 built.start();
             }

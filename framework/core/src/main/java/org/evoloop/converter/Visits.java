@@ -147,7 +147,7 @@ final class Visits implements VisitHost {
         functions.end();
         if (left != null && ended != null) {
             WorkEvent.ended(ended, config.name(), WorkEvent.Kind.FUNCTION, left.state());
-            recorded = null;
+            recorded = recorded == ended ? null : recorded;
         }
     }
 

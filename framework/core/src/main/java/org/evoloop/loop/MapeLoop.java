@@ -132,6 +132,14 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
      * @throws IllegalStateException if the loop needs it: only monitors may all go
      */
     public void remove(String name) {
+        remove(name, () -> {});
+    }
+
+    /**
+     * As {@link #remove(String)}; {@code meanwhile}, which must be quick, runs before the next occurrence is taken from
+     * the queue.
+     */
+    public void remove(String name, Runnable meanwhile) {
         synchronized (admin) {
             requireUsable();
             Worker worker = roster.require(name);
@@ -139,7 +147,10 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
                 throw new IllegalStateException(name + " is the only component of the role "
                         + worker.component().role() + "; exchange it instead");
             }
-            gate.quietlyUnlessInterrupted(() -> roster.drop(worker));
+            gate.quietlyUnlessInterrupted(() -> {
+                roster.drop(worker);
+                meanwhile.run();
+            });
             awaitEnd(worker.threadToEnd());
         }
     }
@@ -379,6 +390,11 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     /** Whether {@code monitor} is part of this loop. */
     public boolean has(Monitor<O> monitor) {
         return roster.workerOf(monitor) != null;
+    }
+
+    /** Whether {@code execute} was given up and has not returned; what is left to it fails. */
+    public boolean isStuck(Execute<P> execute) {
+        return roster.isStuck(execute);
     }
 
     /** The state of the loop's lifecycle. */

@@ -70,7 +70,8 @@ final class Pipeline<O, A, P> {
     }
 
     private @Nullable StageWorker<P> dispatch(StageWorker<?> by, @Nullable P planned, @Nullable Execute<P> last) {
-        Execute<P> next = planned == null ? null : dispatch.next(planned, executeOrder, last);
+        // One that was given up must not ask: the dispatch may be at work for the next occurrence.
+        Execute<P> next = planned == null || !by.isWorking() ? null : dispatch.next(planned, executeOrder, last);
         List<StageWorker<P>> candidates = executes;
         StageWorker<P> worker = null;
         // By index: an iterator would be garbage in every cycle.

@@ -15,7 +15,10 @@ final class Roster<O, A, P> {
     private final Pipeline<O, A, P> pipeline;
     private final Sequencer<O> sequencer;
     private final Crew crew;
-    private final List<MonitorWorker<O>> monitors = new CopyOnWriteArrayList<>();
+
+    /** Replaced as a whole: whoever looks through it misses none while another is added or removed. */
+    private volatile List<MonitorWorker<O>> monitors = List.of();
+
     private final List<StageWorker<P>> executes = new CopyOnWriteArrayList<>();
     private volatile @Nullable StageWorker<O> analyze;
     private volatile @Nullable StageWorker<A> plan;
@@ -36,7 +39,9 @@ final class Roster<O, A, P> {
     Worker enlist(Component component, int position) {
         if (component instanceof Monitor) {
             MonitorWorker<O> worker = new MonitorWorker<>((Monitor<O>) component, config, sequencer, crew);
-            monitors.add(Math.min(position, monitors.size()), worker);
+            List<MonitorWorker<O>> more = new ArrayList<>(monitors);
+            more.add(Math.min(position, more.size()), worker);
+            monitors = List.copyOf(more);
             return worker;
         }
         Worker worker;
@@ -106,8 +111,10 @@ final class Roster<O, A, P> {
         worker.retire();
         int position = 0;
         if (worker instanceof MonitorWorker) {
-            position = monitors.indexOf(worker);
-            monitors.remove(position);
+            List<MonitorWorker<O>> fewer = new ArrayList<>(monitors);
+            position = fewer.indexOf(worker);
+            fewer.remove(position);
+            monitors = List.copyOf(fewer);
         } else if (worker == analyze) {
             analyze = null;
         } else if (worker == plan) {
@@ -142,12 +149,23 @@ final class Roster<O, A, P> {
 
     @Nullable
     MonitorWorker<O> workerOf(Monitor<O> monitor) {
-        for (int index = 0; index < monitors.size(); index++) {
-            if (monitors.get(index).component() == monitor) {
-                return monitors.get(index);
+        List<MonitorWorker<O>> present = monitors;
+        // By index: an iterator would be garbage in every event.
+        for (int index = 0; index < present.size(); index++) {
+            if (present.get(index).component() == monitor) {
+                return present.get(index);
             }
         }
         return null;
+    }
+
+    boolean isStuck(Execute<P> execute) {
+        for (StageWorker<P> worker : executes) {
+            if (worker.component() == execute) {
+                return worker.isStuck();
+            }
+        }
+        return false;
     }
 
     /** Every worker, in the order of the loop. */

@@ -4,7 +4,10 @@ import java.time.Duration;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicReferenceFieldUpdater;
 import java.util.concurrent.locks.Condition;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * The order of the loop: the queue before it, the one occurrence that is in it, and whose turn it is.
@@ -18,6 +21,8 @@ final class Sequencer<O> {
     @SuppressWarnings("rawtypes") // a class literal has no type arguments
     private static final AtomicReferenceFieldUpdater<Sequencer, StageWorker> TURN =
             AtomicReferenceFieldUpdater.newUpdater(Sequencer.class, StageWorker.class, "busy");
+
+    private static final Logger LOG = LoggerFactory.getLogger(MapeLoop.class);
 
     private final LoopConfig config;
     private final LoopListener<O> listener;
@@ -108,7 +113,8 @@ final class Sequencer<O> {
         if (next == null || first == null) {
             return;
         }
-        room.signal();
+        // All: there may be room for another than the one who has waited longest.
+        room.signalAll();
         cycle++;
         occurrence = next;
         if (first.isStuck()) {
@@ -126,9 +132,12 @@ final class Sequencer<O> {
 
     /** Hands the turn on; false if {@code from} was given up meanwhile. */
     boolean pass(StageWorker<?> from, StageWorker<?> next) {
-        supervisor.stepBegins();
-        if (TURN.compareAndSet(this, from, next)) {
-            return true;
+        // One that was given up must not give more time to the one that has the turn now.
+        if (busy == from) {
+            supervisor.stepBegins();
+            if (TURN.compareAndSet(this, from, next)) {
+                return true;
+            }
         }
         // It is marked as stuck under the lock, and must see that before it returns.
         lock.acquire();
@@ -163,7 +172,7 @@ final class Sequencer<O> {
         ended.signalAll();
         begin();
         if (busy == null) {
-            room.signal();
+            room.signalAll();
         }
     }
 
@@ -212,7 +221,16 @@ final class Sequencer<O> {
     void report(Worker worker, String phase, long inCycle, @Nullable O about, Throwable cause) {
         Failure<O> failure = new Failure<>(worker.component().name(), phase, inCycle, about, cause);
         worker.countFailure(failure.toString());
-        listener.failed(failure);
+        tell(failure, listener::failed);
+    }
+
+    /** Tells the listener of a failure. It must not throw; if it does, the loop goes on all the same. */
+    private void tell(Failure<O> failure, Consumer<Failure<O>> how) {
+        try {
+            how.accept(failure);
+        } catch (Throwable broken) {
+            LOG.error("the listener of the loop {} has failed when told of {}", config.name(), failure, broken);
+        }
     }
 
     private static String stuck(Worker worker) {
@@ -256,7 +274,7 @@ final class Sequencer<O> {
         Failure<O> next = failure;
         while (next != null && about != null) {
             about.countFailure(next.toString());
-            listener.givenUp(next);
+            tell(next, listener::givenUp);
             lock.acquire();
             try {
                 breakingOff = false;

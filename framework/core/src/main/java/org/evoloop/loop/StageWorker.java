@@ -105,7 +105,9 @@ final class StageWorker<I> extends Worker {
             sequencer.end(this, result == null ? null : next);
             return null;
         }
-        return sequencer.pass(this, next) ? next.proceed(cycle, result) : null;
+        // Read now: once the next one has the turn, that may be taken away, and this one be given the next occurrence.
+        long inCycle = cycle;
+        return sequencer.pass(this, next) ? next.proceed(inCycle, result) : null;
     }
 
     /** Returns itself if it is to be run by the caller's thread; null if its own thread runs it. */

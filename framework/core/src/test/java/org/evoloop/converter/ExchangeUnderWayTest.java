@@ -2,24 +2,31 @@ package org.evoloop.converter;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.evoloop.Machines.machine;
 import static org.evoloop.converter.LiveRobot.await;
 import static org.evoloop.converter.LiveRobot.awaitDeaf;
 import static org.evoloop.converter.LiveRobot.take;
+import static org.evoloop.converter.LiveRobot.until;
 import static org.evoloop.converter.Robot.at;
 
 import java.io.IOException;
 import java.time.Duration;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.evoloop.core.Outcome;
+import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Step;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.ComponentStatus.Activity;
 import org.evoloop.loop.InEachThreading;
+import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.ThreadingModel;
 import org.evoloop.statemachine.ModelException;
+import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -272,6 +279,74 @@ class ExchangeUnderWayTest {
             robot.press("Clean", "Clean", "Clean", "Clean");
             assertThat(robot.sent).containsExactly("Cleaner:Clean", "Cleaner:Clean", "Cleaner:Clean", "Spotter:Spot");
         }
+    }
+
+    @Test
+    void nothingIsPlannedForARemovedComponentAlthoughItsThreadHasNotEnded() throws InterruptedException {
+        ManualClock clock = new ManualClock();
+        try (SystemEventConverter converter = new SystemEventConverter(
+                LoopConfig.defaults("lamp", clock).withThreading(threading).withJoinLimit(Duration.ofSeconds(30)))) {
+            twoWays(converter);
+            PushMonitor remote = new PushMonitor("Remote") {
+                @Override
+                protected Set<String> spontaneousEvents() {
+                    return Set.of("fast");
+                }
+            };
+            converter.addMonitor(remote);
+            converter.build();
+            converter.start();
+            remote.press("go");
+            await(hanging);
+            clock.advance(Duration.ofSeconds(30));
+            until(() -> converter.history().size() == 2);
+
+            Thread removing = new Thread(() -> converter.remove("Fast"));
+            removing.start();
+            until(() -> converter.status().components().stream()
+                    .noneMatch(component -> component.name().equals("Fast")));
+            remote.press("go");
+            until(() -> converter.history().size() == 3);
+            HistoryEntry next = converter.history().get(2);
+            atLast.countDown();
+            removing.join();
+
+            assertThat(next.outcome()).isEqualTo(Outcome.HANDLED);
+            assertThat(next.after()).isEqualTo(at("On", "On"));
+        }
+    }
+
+    /** A lamp that can be switched on in two ways; the component for the first one hangs. */
+    private void twoWays(SystemEventConverter converter) {
+        converter.addKnowledge(new StateKnowledge(new ModelPair(
+                machine("original", "Off fast -> On", "Off slow -> On", "On slow -> Off"),
+                machine("new", "Off go -> On", "Off fast -> On", "Off slow -> On", "On slow -> Off"))));
+        converter.addExecute(new EventExecute("Slow") {
+            @Override
+            protected Set<String> sendableEvents() {
+                return Set.of("slow");
+            }
+
+            @Override
+            protected void send(Step step) {}
+
+            @Override
+            protected Optional<String> locate() {
+                return Optional.of("Off");
+            }
+        });
+        converter.addExecute(new EventExecute("Fast") {
+            @Override
+            protected Set<String> sendableEvents() {
+                return Set.of("fast");
+            }
+
+            @Override
+            protected void send(Step step) {
+                hanging.countDown();
+                awaitDeaf(atLast);
+            }
+        });
     }
 
     @Test

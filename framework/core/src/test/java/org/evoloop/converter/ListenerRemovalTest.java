@@ -95,4 +95,20 @@ class ListenerRemovalTest {
         assertThat(entry.took()).isPositive();
         assertThat(converter.history().get(0).decision()).isEqualTo(entry.decision());
     }
+
+    @Test
+    void aListenerThatInterruptsItselfHearsOfTheNextEvent() throws Exception {
+        build();
+        CountDownLatch second = new CountDownLatch(2);
+        converter.addListener(new ConverterListener() {
+            @Override
+            public void ended(HistoryEntry entry) {
+                second.countDown();
+                Thread.currentThread().interrupt();
+            }
+        });
+        wallSwitch.press("switch");
+        wallSwitch.press("switch");
+        assertThat(second.await(10, TimeUnit.SECONDS)).isTrue();
+    }
 }

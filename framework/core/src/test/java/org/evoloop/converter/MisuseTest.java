@@ -87,6 +87,17 @@ class MisuseTest {
     }
 
     @Test
+    void aConverterThatWasClosedBeforeItWasBuiltIsNotBuilt() {
+        SystemEventConverter converter = converter("robot", new ManualClock());
+        converter.addKnowledge(knowledge);
+        converter.addExecute(device);
+        converter.close();
+        assertThatThrownBy(converter::build)
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessage("converter robot has been closed");
+    }
+
+    @Test
     void twoExecutesForOneEventAreRefused() {
         SystemEventConverter converter = converter("robot", new ManualClock());
         converter.addKnowledge(knowledge);

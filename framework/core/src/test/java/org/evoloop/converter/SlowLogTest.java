@@ -6,8 +6,11 @@ import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.AppenderBase;
+import java.time.Duration;
 import java.util.concurrent.CountDownLatch;
 import org.evoloop.core.Outcome;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -56,6 +59,23 @@ class SlowLogTest {
             assertThat(robot.awaitHistory(2).outcome()).isEqualTo(Outcome.HANDLED);
             assertThat(robot.converter.status().events().ignored()).isOne();
             atLast.countDown();
+        }
+    }
+
+    @Test
+    void whatTheLogHadNoRoomForIsCounted() throws InterruptedException {
+        ManualClock clock = new ManualClock();
+        FailureLog failures = new FailureLog(LoopConfig.defaults("slow", clock));
+        try (LoggedLines log = new LoggedLines(logger.getName())) {
+            failures.warnSoon("endSpott");
+            LiveRobot.await(stuck);
+            for (int other = 0; other < 110; other++) {
+                clock.advance(Duration.ofSeconds(1));
+                failures.warnSoon("warning " + other);
+            }
+            atLast.countDown();
+            clock.advance(Duration.ofSeconds(10));
+            assertThat(log.lines()).contains("10 more different warnings were left out; status counts the failures");
         }
     }
 }

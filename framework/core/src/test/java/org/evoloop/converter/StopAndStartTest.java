@@ -1,6 +1,7 @@
 package org.evoloop.converter;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.evoloop.converter.LiveRobot.await;
 import static org.evoloop.converter.LiveRobot.awaitDeaf;
 import static org.evoloop.converter.LiveRobot.take;
@@ -158,6 +159,7 @@ class StopAndStartTest {
             robot.converter.start();
             robot.converter.close();
             robot.converter.close();
+            assertThatThrownBy(robot.converter::start).hasMessage("the loop robot has ended");
             assertThat(robot.heard)
                     .containsExactly(
                             "Device settled at (Off, Off)",

@@ -57,6 +57,7 @@ class TwoDevicesTest {
     private final List<String> settled = new CopyOnWriteArrayList<>();
     private volatile boolean jammed;
     private volatile String unsettled = "";
+    private volatile @Nullable Error missing;
     private volatile @Nullable Event unanswered;
 
     private final class Part extends EventExecute {
@@ -76,6 +77,7 @@ class TwoDevicesTest {
         protected void settled(Configuration now) throws IOException {
             settled.add(name() + " in " + now.original());
             if (name().equals(unsettled)) {
+                failFor(missing);
                 throw new IOException(name() + " does not settle");
             }
         }
@@ -83,6 +85,7 @@ class TwoDevicesTest {
         @Override
         protected Optional<String> locate() throws IOException {
             if (name().equals("Motor")) {
+                failFor(missing);
                 throw new IOException("the motor has no power");
             }
             return Optional.of("awake");
@@ -99,6 +102,12 @@ class TwoDevicesTest {
             // The device's state when the event is sent: the knowledge has followed every earlier event.
             sent.add(name() + ":" + step.event() + " in "
                     + converter.knowledge().getOriginalState() + " = " + step.source());
+        }
+    }
+
+    private static void failFor(@Nullable Error cause) {
+        if (cause != null) {
+            throw cause;
         }
     }
 
@@ -180,6 +189,24 @@ class TwoDevicesTest {
         assertThat(converter.status().components())
                 .extracting(ComponentStatus::lastFailure)
                 .contains("Motor.locate: the motor has no power");
+    }
+
+    @Test
+    void whatTheFirstLacksToBeAskedOrToSettleDoesNotConcernTheSecond() {
+        missing = new NoClassDefFoundError("org/motor/Driver");
+        unsettled = "Motor";
+        press(remote, "wake");
+        LiveRobot.until(() -> settled.size() == 4);
+        assertThat(settled).endsWith("Motor in awake", "Lock in awake");
+
+        unanswered = new Event("unlock");
+        remote.press("unlock");
+        LiveRobot.until(() -> converter.history().size() == 3);
+        assertThat(converter.history().get(2).outcome()).isEqualTo(Outcome.HANDLED);
+        assertThat(converter.status().doubt()).isEmpty();
+        assertThat(converter.status().components())
+                .extracting(ComponentStatus::lastFailure)
+                .contains("Motor.locate: org/motor/Driver");
     }
 
     @Test

@@ -17,9 +17,18 @@ final class Relay implements AutoCloseable {
     final BlockingQueue<Failure<String>> failures = new LinkedBlockingQueue<>();
     final BlockingQueue<String> dropped = new LinkedBlockingQueue<>();
     final MapeLoop<String, String, String> loop;
+    volatile boolean listenerFails;
 
     Relay(LoopConfig config) {
-        loop = new MapeLoop<>(config, listener());
+        this(config, Dispatch.toEach());
+    }
+
+    Relay(LoopConfig config, Dispatch<String> dispatch) {
+        this(config, dispatch, new Backlog<>(config.queueCapacity()));
+    }
+
+    Relay(LoopConfig config, Dispatch<String> dispatch, Intake<String> intake) {
+        loop = new MapeLoop<>(config, listener(), dispatch, intake);
         loop.addMonitor(new Ears("ears"));
         loop.addAnalyze(new Brain());
         loop.addPlan(new Will());
@@ -31,6 +40,9 @@ final class Relay implements AutoCloseable {
             @Override
             public void failed(Failure<String> failure) {
                 failures.add(failure);
+                if (listenerFails) {
+                    throw new IllegalStateException("cannot listen");
+                }
             }
 
             @Override

@@ -1,6 +1,7 @@
 package org.evoloop.loop;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.evoloop.loop.Relay.await;
 import static org.evoloop.loop.Relay.take;
 
 import java.time.Duration;
@@ -55,7 +56,7 @@ class StuckComponentsTest {
     private void hangs(String name, Component next, CountDownLatch hanging) throws InterruptedException {
         relay.loop.exchange(name, next);
         relay.input.add("deadlock");
-        Relay.await(hanging);
+        await(hanging);
     }
 
     @Test
@@ -138,6 +139,23 @@ class StuckComponentsTest {
             relay.input.add("next");
             assertThat(take(relay.output)).isEqualTo("hand:next");
             dreamer.release.countDown();
+        }
+    }
+
+    @Test
+    void aListenerThatThrowsStopsNothing() throws InterruptedException {
+        Relay.Hand hand = relay.new Hand("slow");
+        try (relay) {
+            relay.loop.exchange("hand", hand);
+            relay.listenerFails = true;
+            relay.input.add("confusing");
+            take(relay.failures);
+            relay.input.add("hang");
+            await(hand.hanging);
+            clock.advance(LIMIT);
+            take(relay.failures);
+            relay.input.add("next");
+            assertThat(take(relay.output)).isEqualTo("slow:next");
         }
     }
 

@@ -14,7 +14,8 @@ import org.slf4j.LoggerFactory;
 /**
  * Runs the new function of the current visit; there is at most one at a time.
  *
- * <p>Threading: {@link #begin} and {@link #end} are called by one thread at a time; {@link #running} from any.
+ * <p>Threading: {@link #begin} and {@link #end} are called by one thread at a time, unless an ending hangs and its
+ * thread is left to itself; the other methods by any.
  */
 public final class FunctionRunner {
     private static final Logger LOG = LoggerFactory.getLogger(FunctionRunner.class);
@@ -46,10 +47,9 @@ public final class FunctionRunner {
     /** Runs {@code function} in the current visit. */
     public void run(NewFunction function) {
         HostedVisit current = visit;
-        if (current == null) {
+        if (current == null || !isNowRunning(current)) {
             return;
         }
-        hasFunction = true;
         host.notice("***  Start to run new functions. ***");
         if (!host.threads() || function == NewFunction.none()) {
             current.run(function);
@@ -66,8 +66,20 @@ public final class FunctionRunner {
         }
         Thread own = OwnedThread.of(
                 host, "function-" + current.state() + "-" + current.number(), () -> current.run(function));
-        thread = own;
-        own.start();
+        synchronized (this) {
+            // If it was left in between, nobody would end the function any more.
+            if (current.isActive()) {
+                thread = own;
+                own.start();
+            }
+        }
+    }
+
+    /** Notes that {@code current} has a function; false if it has been left. */
+    private synchronized boolean isNowRunning(HostedVisit current) {
+        boolean isPresent = current == visit;
+        hasFunction |= isPresent;
+        return isPresent;
     }
 
     /**
@@ -80,7 +92,7 @@ public final class FunctionRunner {
             return;
         }
         ending.end();
-        Thread own = thread;
+        Thread own = threadOf(ending);
         if (own != null && own != Thread.currentThread()) {
             own.interrupt();
             if (!Threads.join(own, joinLimit)) {
@@ -91,9 +103,18 @@ public final class FunctionRunner {
         if (hanging != null) {
             leftBehind(hanging, ending);
         }
-        hasFunction = false;
-        thread = null;
-        visit = null;
+        synchronized (this) {
+            if (ending == visit) {
+                hasFunction = false;
+                thread = null;
+                visit = null;
+            }
+        }
+    }
+
+    /** The thread of the function of {@code ending}; null if its endings took so long that another visit has begun. */
+    private synchronized @Nullable Thread threadOf(HostedVisit ending) {
+        return ending == visit ? thread : null;
     }
 
     private void leftBehind(Thread left, HostedVisit ending) {

@@ -22,10 +22,13 @@ final class VisitTasks {
 
     private final HostedVisit visit;
     private final VisitHost host;
-    private final LinkedBlockingQueue<Runnable> due = new LinkedBlockingQueue<>();
+    private final LinkedBlockingQueue<Due> due = new LinkedBlockingQueue<>();
     private @Nullable Thread thread;
     private volatile boolean over;
     private volatile boolean hangs;
+
+    /** @param over counted down when the clock need not wait for it any more */
+    private record Due(Runnable task, CountDownLatch over) {}
 
     VisitTasks(HostedVisit visit, VisitHost host) {
         this.visit = visit;
@@ -45,11 +48,11 @@ final class VisitTasks {
             return;
         }
         CountDownLatch done = new CountDownLatch(1);
-        due.add(() -> {
-            task.run();
-            hangs = false;
-            done.countDown();
-        });
+        due.add(new Due(task, done));
+        if (over) {
+            // The state has just been left; nobody may be there to run the task.
+            return;
+        }
         try {
             if (!hangs && !done.await(PATIENCE_MILLIS, TimeUnit.MILLISECONDS)) {
                 hangs = done.getCount() > 0;
@@ -76,11 +79,15 @@ final class VisitTasks {
     private void work() {
         while (!over) {
             try {
-                due.take().run();
+                Due next = due.take();
+                next.task().run();
+                hangs = false;
+                next.over().countDown();
             } catch (InterruptedException interrupted) {
                 // The visit is over, or a task interrupted itself; the condition above distinguishes the two.
             }
         }
+        due.forEach(left -> left.over().countDown());
     }
 
     /** Prevents further tasks from running, and interrupts the running one. */

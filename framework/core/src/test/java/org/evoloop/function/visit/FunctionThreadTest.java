@@ -77,6 +77,17 @@ class FunctionThreadTest {
     }
 
     @Test
+    void isNotWaitedForByATaskThatIsDueWhenTheStateIsLeft() {
+        VisitTasks tasks = new VisitTasks(log.visit(), log);
+        CountDownLatch never = new CountDownLatch(1);
+        tasks.end();
+        tasks.run(never::countDown);
+        assertThat(never.getCount()).isOne();
+        assertThat(log.failures).isEmpty();
+        assertThat(tasks.hangsIn()).isEmpty();
+    }
+
+    @Test
     void mayEndBeforeItsStateDoes() throws InterruptedException {
         runner.begin(log.visit());
         runner.run(running -> {
