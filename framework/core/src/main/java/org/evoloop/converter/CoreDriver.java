@@ -17,6 +17,8 @@ import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Values;
+import org.evoloop.statemachine.Event;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
@@ -229,9 +231,9 @@ final class CoreDriver {
         }
     }
 
-    /** The guards of the original model that hold now. */
-    Set<String> holding() {
-        return knowledge.bindings().holding(rules.table().models().original().guards());
+    /** The guards that the original model draws for {@code event} and that hold now, by its values. */
+    Set<String> holding(Event event, Values values) {
+        return knowledge.bindings().holding(event, values);
     }
 
     Rules rules() {
