@@ -1,6 +1,7 @@
 package org.evoloop.rehearsal;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -48,10 +49,7 @@ public class Chronicle implements Outputs {
         } else if (output instanceof Output.Took) {
             took++;
         } else if (output instanceof Output.Decided decided) {
-            Transition transition = decided.decision().transition();
-            guards = transition == null
-                    ? Set.of()
-                    : Set.copyOf(transition.event().guards());
+            guards = guardsOf(decided.decision());
         } else if (output instanceof Output.Enter enter) {
             visit = enter.visit();
         } else if (output instanceof Output.CarryOver carryOver) {
@@ -62,6 +60,17 @@ public class Chronicle implements Outputs {
                 end(ofModels);
             }
         }
+    }
+
+    /** The guards that held for a decision; where a function asks for an event, they are the device's. */
+    private static Set<String> guardsOf(Decision decision) {
+        Transition transition = decision.transition();
+        Set<String> held = new HashSet<>(
+                transition == null ? List.of() : transition.event().guards());
+        if (decision instanceof Decision.Sending) {
+            decision.steps().forEach(step -> held.addAll(step.event().guards()));
+        }
+        return held;
     }
 
     /** Doubts and violations are not events of the models; that the device was elsewhere than recorded is one. */
