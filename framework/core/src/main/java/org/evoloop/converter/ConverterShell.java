@@ -134,6 +134,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
         adopt(next);
         before.attach(null);
         monitors.forEach(monitor -> monitor.useNames(next.eventNames()));
+        visits.becomes(evolved.fate().at().evolved());
         carrier.carryOut();
         return Evolution.Result.of(evolved, Duration.ofNanos(config.clock().nanoTime() - begun));
     }
