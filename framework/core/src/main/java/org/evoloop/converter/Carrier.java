@@ -31,7 +31,7 @@ final class Carrier {
 
     /** Is told of failures of components that do not end the event, since others continue. */
     interface Reports {
-        void failed(EventExecute execute, String phase, Exception cause);
+        void failed(EventExecute execute, String phase, Throwable cause);
     }
 
     Carrier(
@@ -56,7 +56,7 @@ final class Carrier {
     void carryOut(ChangePlan plan, EventExecute execute) throws Exception {
         Agenda agenda = takeUp(plan);
         long number = agenda.turn();
-        Exception notSettled = null;
+        Throwable notSettled = null;
         for (Output.Directive next = agenda.poll(); next != null; next = agenda.poll()) {
             if (next instanceof Output.Send send) {
                 if (!senders.canSend(send.step(), execute)) {
@@ -82,12 +82,14 @@ final class Carrier {
                     return;
                 }
             } else {
-                visit(next, plan.decision().leavesState() ? plan.occurrence().values() : null);
+                visit(next, plan.occurrence());
             }
         }
         books.transcript().say();
-        if (notSettled != null) {
-            throw notSettled;
+        if (notSettled instanceof Error error) {
+            throw error;
+        } else if (notSettled instanceof Exception exception) {
+            throw exception;
         }
     }
 
@@ -212,12 +214,12 @@ final class Carrier {
     }
 
     /** Returns what {@code execute} threw; null if it has settled. */
-    private @Nullable Exception settle(EventExecute execute, Output.Settle settle) {
+    private @Nullable Throwable settle(EventExecute execute, Output.Settle settle) {
         senders.settles(execute);
         try {
             execute.settled(settle.now());
             return null;
-        } catch (Exception cause) {
+        } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {
             return cause;
         }
     }
@@ -232,16 +234,25 @@ final class Carrier {
         carryOut(null);
     }
 
+    /** There is no plan for {@code occurrence}: ends it, and carries out what follows. */
+    void dismiss(Occurrence occurrence) {
+        synchronized (driver) {
+            Pending pending = outputs.begun;
+            if (pending != null && pending.occurrence() == occurrence && driver.core.isBusy()) {
+                inputs.dismissed(pending.number(), clock.nanoTime());
+            }
+        }
+        carryOut(occurrence);
+    }
+
     /**
      * The occurrence in progress has failed: carries out what follows.
      *
      * @param unknown whether it is uncertain if the step being sent had its effect
      */
     void breakOff(Occurrence occurrence, String reason, boolean unknown) {
-        boolean left;
         synchronized (driver) {
             Pending pending = outputs.begun;
-            outputs.left = false;
             if (pending != null && driver.core.isBusy()) {
                 outputs.agenda.end();
                 outputs.agenda = new Agenda();
@@ -252,28 +263,34 @@ final class Carrier {
                     inputs.failed(pending.number(), reason, now);
                 }
             }
-            left = outputs.left;
         }
-        carryOut(left ? occurrence.values() : null);
+        carryOut(occurrence);
     }
 
-    private void carryOut(@Nullable Values carried) {
+    private void carryOut(@Nullable Occurrence after) {
         Agenda agenda;
         synchronized (driver) {
             agenda = outputs.agenda;
         }
         for (Output.Directive next = agenda.poll(); next != null; next = agenda.poll()) {
-            visit(next, carried);
+            visit(next, after);
         }
         books.transcript().say();
     }
 
-    /** @param carried the values of the event with which a state is entered; null if it is entered again */
-    private void visit(Output.Directive directive, @Nullable Values carried) {
+    /** The values of the event with which a state is entered; null if it is entered again. */
+    private @Nullable Values carried(Occurrence after) {
+        synchronized (driver) {
+            return outputs.left ? after.values() : null;
+        }
+    }
+
+    /** @param after the occurrence that has ended; null if it is not about one */
+    private void visit(Output.Directive directive, @Nullable Occurrence after) {
         if (directive instanceof Output.Leave) {
             visits.leave();
         } else if (directive instanceof Output.Enter enter) {
-            visits.enter(enter, carried);
+            visits.enter(enter, after == null ? null : carried(after));
         } else if (directive instanceof Output.CarryOver over) {
             visits.carryOver(over);
         } else if (directive instanceof Output.Start start) {

@@ -298,7 +298,8 @@ final class ConverterShell implements LoopListener<Occurrence> {
     }
 
     @Override
-    public void returnedNull(String component, String role, int inARow) {
+    public void returnedNull(String component, String role, int inARow, Occurrence about) {
+        carrier.dismiss(about);
         if (inARow % MOST_NULLS == 0) {
             Failure<Occurrence> failure = new Failure<>(
                     component,

@@ -155,13 +155,13 @@ public abstract class EventExecute extends Execute<ChangePlan> {
      * @param isLast whether no other component can be asked, so that a failure is thrown
      * @param reports is told of any other failure
      */
-    final Optional<State> locate(StateKnowledge knowledge, boolean isLast, Consumer<Exception> reports)
+    final Optional<State> locate(StateKnowledge knowledge, boolean isLast, Consumer<Throwable> reports)
             throws Exception {
         try {
             return locate().map(knowledge::located);
         } catch (InterruptedException stop) {
             throw stop;
-        } catch (Exception cause) {
+        } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {
             if (isLast) {
                 throw cause;
             }
