@@ -97,8 +97,8 @@ final class Carrier {
      * Begins a plan, unless it has begun.
      *
      * @return the directives of the plan
-     * @throws IllegalStateException if it is a plan for another occurrence than that in progress, or leads to states
-     *     that the models do not have
+     * @throws IllegalStateException if it is a plan for another occurrence than that in progress, or has states or
+     *     transitions that the models do not have
      */
     private Agenda takeUp(ChangePlan plan) {
         synchronized (driver) {
@@ -108,7 +108,9 @@ final class Carrier {
             }
             Agenda agenda = outputs.agenda;
             if (agenda.turn() != pending.number()) {
-                plan.requireStatesOf(driver.rules().table().models());
+                if (plan.decision() != driver.decided()) {
+                    plan.requireDrawnIn(driver.rules().table().models());
+                }
                 agenda.begin(pending.number());
                 inputs.planned(pending.number(), plan.decision(), clock.nanoTime());
             }

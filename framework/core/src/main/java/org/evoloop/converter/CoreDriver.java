@@ -50,6 +50,8 @@ final class CoreDriver {
     /** The shadow, which gets the same inputs; null if there is none. */
     private @Nullable ShadowCore shadow;
 
+    private volatile @Nullable Decision decided;
+
     /** When an event last ended. */
     private long endedNanos;
 
@@ -110,10 +112,17 @@ final class CoreDriver {
         if (pending == null || pending.occurrence() != occurrence) {
             return null;
         }
-        if (resumed != null) {
-            return resumed;
-        }
-        return rules.decide(now, steps, pending, knowledge.bindings().with(occurrence.values()));
+        Decision made = resumed != null
+                ? resumed
+                : rules.decide(now, steps, pending, knowledge.bindings().with(occurrence.values()));
+        decided = made;
+        return made;
+    }
+
+    /** The last decision by the rules, to tell it from those of an analyze component; null if there is none. */
+    @Nullable
+    Decision decided() {
+        return decided;
     }
 
     /** The next directive of {@code plan}; null if there is none. Called by the thread whose turn it is. */
