@@ -121,8 +121,18 @@ final class Rehearsal extends Chronicle {
             here = at().evolved().equals(raisedIn) ? Reframed.inVisit(occurrence, visit()) : null;
         }
         if (here != null) {
-            outstanding.add(here);
-            core.observed(here);
+            observe(here);
+        }
+    }
+
+    private void observe(Occurrence here) {
+        long before = like(here);
+        int waiting = core.waiting();
+        outstanding.add(here);
+        core.observed(here);
+        if (here instanceof Occurrence.Found && core.waiting() == waiting && like(here) > before) {
+            // No news, so it never has its turn.
+            isOut(here);
         }
     }
 

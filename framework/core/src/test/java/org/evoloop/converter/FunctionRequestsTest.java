@@ -144,6 +144,9 @@ class FunctionRequestsTest {
             player.observe();
             player.settle();
             assertThat(player.sent).containsExactly("play", "pause volume=7.0", "stop seconds=3.0");
+            assertThat(player.converter.history())
+                    .extracting(entry -> entry.occurrence().toString())
+                    .contains("pause (asked by a function, volume=7.0)", "faded (function, seconds=3.0)");
         }
     }
 

@@ -223,7 +223,11 @@ class ShadowTest {
                     }
                     : () -> {};
             switch (random.nextInt(5)) {
-                case 0 -> player.clock.advance(Duration.ofSeconds(random.nextInt(12)));
+                case 0 -> {
+                    player.clock.advance(Duration.ofSeconds(random.nextInt(12)));
+                    // A timer that waits for more than a second counts as one that only the shadow has.
+                    player.settle();
+                }
                 case 1 -> player.acts(events.get(random.nextInt(3)));
                 case 2 -> player.found();
                 default -> player.press(event);
@@ -236,6 +240,36 @@ class ShadowTest {
         assertThat(shadow.report().differences()).as("seed %d", seed).isEmpty();
         assertThat(shadow.report().at()).isEqualTo(player.states());
         assertThat(shadow.report().events()).isGreaterThan(200);
+    }
+
+    @Test
+    void aReportThatTheDeviceIsWhereItIsTakenToBeDelaysNothing() {
+        press("play", "fade");
+        Shadow shadow = begin(dozing());
+        player.found();
+        player.clock.advance(Duration.ofMillis(11_001));
+        assertThat(shadow.report().at()).hasToString("(Stopped, Stopped)");
+    }
+
+    @Test
+    void aDoubtThatTheSameModelsDoNotHaveIsNoDifference() {
+        press("play", "fade");
+        Shadow shadow = begin(Player.knowledge(
+                List.of("Fading"),
+                NewFunction.none(),
+                "Playing fade -> Fading",
+                "Fading faded -> Stopped",
+                "Fading stop -> Stopped"));
+        player.device.canBeAsked = true;
+        player.after = () -> {
+            player.after = () -> {};
+            // Whether this came first is unknown.
+            player.acts("play");
+        };
+        press("stop");
+        assertThat(player.outcomes()).contains("in doubt HANDLED", "found Playing HANDLED");
+        assertThat(shadow.report().differences()).isEmpty();
+        assertThat(shadow.report().at()).isEqualTo(player.states());
     }
 
     @Test
