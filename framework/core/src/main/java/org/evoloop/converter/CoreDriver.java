@@ -119,6 +119,12 @@ final class CoreDriver {
         return made;
     }
 
+    /** Whether a plan for {@code occurrence} has failed in the middle, so that its device may have to be brought back. */
+    synchronized boolean hasBroken(Occurrence occurrence) {
+        Pending pending = outputs.begun;
+        return pending != null && pending.occurrence() == occurrence && pending.broken() != null;
+    }
+
     /** The last decision by the rules, to tell it from those of an analyze component; null if there is none. */
     @Nullable
     Decision decided() {

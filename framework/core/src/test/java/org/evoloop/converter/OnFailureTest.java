@@ -10,11 +10,13 @@ import java.util.List;
 import java.util.Set;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.OnFailure;
 import org.evoloop.evolution.Step;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.time.ManualClock;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -167,6 +169,22 @@ class OnFailureTest {
         HistoryEntry top = press("top");
         assertThat(sent).isEmpty();
         assertThat(top.detail()).contains("stuck at F0").doesNotContain("goes back");
+    }
+
+    @Test
+    void aLockDoesNotKeepTheDeviceFromGoingBack() throws Exception {
+        build(OnFailure.GO_BACK, "F2 express");
+        converter.exchange("EventAnalyze", new EventAnalyze("Lock") {
+            @Override
+            protected @Nullable Analysis analyze(Occurrence occurrence) {
+                return sent.isEmpty() ? super.analyze(occurrence) : refuse(occurrence, "the lift moves");
+            }
+        });
+        HistoryEntry top = press("top");
+        assertThat(states()).isEqualTo("(F0, F0)");
+        assertThat(top.outcome()).hasToString("FAILED");
+        assertThat(reason(top)).contains("stuck at F2; the device goes back to F0");
+        assertThat(press("up").detail()).isEqualTo("the lift moves");
     }
 
     @Test
