@@ -98,25 +98,28 @@ final class Bindings implements Predicate<String> {
 
     /** The guards that the original model draws for {@code event} and that hold now, see the other method. */
     Set<String> holding(Event event, Values values) {
-        return holding(ofDevice.getOrDefault(event, Set.of()), values);
+        Set<String> drawn = ofDevice.getOrDefault(event, Set.of());
+        return holding(drawn, drawn, values);
     }
 
     /**
-     * Those of {@code drawn} that hold now for an event with {@code values}. One that throws counts as false: the
+     * Those of {@code asked} that hold now for an event with {@code values}. One that throws counts as false: the
      * device's action is reported all the same.
+     *
+     * @param drawn those drawn for the event; others may need other values, so it is no failure if they throw
      */
-    Set<String> holding(Set<String> drawn, Values values) {
-        if (drawn.isEmpty()) {
+    Set<String> holding(Set<String> asked, Set<String> drawn, Values values) {
+        if (asked.isEmpty()) {
             return Set.of();
         }
         Set<String> holding = new TreeSet<>();
-        for (String text : drawn) {
+        for (String text : asked) {
             try {
-                if (holds(text, values)) {
+                if (holds(text, values, drawn.contains(text))) {
                     holding.add(text);
                 }
-            } catch (RuntimeException | Error counted) {
-                // The watch has counted it.
+            } catch (RuntimeException | Error failure) {
+                // The watch has counted it, if it counts.
             }
         }
         return holding;
@@ -128,9 +131,13 @@ final class Bindings implements Predicate<String> {
     }
 
     private boolean holds(String text, Values values) {
+        return holds(text, values, true);
+    }
+
+    private boolean holds(String text, Values values, boolean counts) {
         Predicate<Values> condition = guards.get(text);
         GuardWatch watch = watches.get(text);
-        return condition != null && (watch == null ? condition.test(values) : watch.test(condition, values));
+        return condition != null && (watch == null ? condition.test(values) : watch.test(condition, values, counts));
     }
 
     /**

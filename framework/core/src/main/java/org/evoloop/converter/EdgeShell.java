@@ -45,6 +45,9 @@ public final class EdgeShell implements AutoCloseable {
     /** Those of both models, by the events that they guard. */
     private final Map<Event, Set<String>> guards;
 
+    /** All of them: what is sent for an event may have guards of its own. */
+    private final Set<String> all = new TreeSet<>();
+
     private final Assembly assembly = new Assembly();
     private final MapeLoop<Occurrence, Analysis, ChangePlan> loop;
     private final EffectListener effects = this::tookEffect;
@@ -102,6 +105,7 @@ public final class EdgeShell implements AutoCloseable {
         this.guards = Bindings.byEvent(knowledge.models().original());
         Bindings.byEvent(knowledge.models().evolved())
                 .forEach((event, drawn) -> guards.merge(event, drawn, EdgeShell::union));
+        guards.values().forEach(all::addAll);
         this.loop = new MapeLoop<>(config, new Failures(), Dispatch.toEach(), new ReportIntake());
     }
 
@@ -288,7 +292,7 @@ public final class EdgeShell implements AutoCloseable {
 
     private void observed(Occurrence occurrence) {
         Set<String> holding = occurrence instanceof Occurrence.Heard heard
-                ? knowledge.bindings().holding(guards.getOrDefault(heard.event(), Set.of()), heard.values())
+                ? knowledge.bindings().holding(all, guards.getOrDefault(heard.event(), Set.of()), heard.values())
                 : Set.of();
         if (occurrence instanceof Occurrence.Heard heard && !holding.isEmpty()) {
             decider.observed(new Occurrence.Heard(

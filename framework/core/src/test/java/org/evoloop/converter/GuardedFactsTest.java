@@ -19,8 +19,13 @@ import org.junit.jupiter.api.Test;
 
 /** What the device does by itself, under guards that use the values of the event. */
 class GuardedFactsTest {
-    private static final StateMachine OVEN =
-            machine("oven", "Off press -> On", "On press -> Off", "On measured [hot] -> Off", "On measured -> On");
+    private static final StateMachine OVEN = machine(
+            "oven",
+            "Off press -> On",
+            "On press -> Off",
+            "On measured [hot] -> Off",
+            "On measured -> On",
+            "On light [dark] -> On");
 
     private final ManualClock clock = new ManualClock();
     private final Sensor sensor = new Sensor();
@@ -39,7 +44,7 @@ class GuardedFactsTest {
     private static final class Oven extends EventExecute {
         @Override
         protected Set<String> sendableEvents() {
-            return Set.of("press");
+            return Set.of("press", "light");
         }
 
         @Override
@@ -54,6 +59,7 @@ class GuardedFactsTest {
         @Override
         protected void registerNewFunctions() {
             guard("hot", values -> values.number("celsius") > 80);
+            guard("dark", () -> true);
         }
     }
 
@@ -102,6 +108,8 @@ class GuardedFactsTest {
             sensor.measured(60);
             sensor.measured(90);
         }
-        assertThat(holding).containsExactly(Set.of(), Set.of("hot"));
+        assertThat(holding)
+                .as("also those of what may be sent then")
+                .containsExactly(Set.of("dark"), Set.of("dark", "hot"));
     }
 }
