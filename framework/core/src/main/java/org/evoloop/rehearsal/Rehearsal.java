@@ -262,9 +262,10 @@ final class Rehearsal extends Chronicle {
     private void carryOut(Pending pending, Output.@Nullable Directive next, long atNanos) {
         long number = pending.number();
         Ending recorded = then.apply(pending.occurrence());
-        if (next instanceof Output.Send) {
-            if (recorded != null && recorded.isBroken() && recorded.took() <= took()) {
-                core.failed(number, recorded.verdict().why(), atNanos);
+        if (next instanceof Output.Send send) {
+            String failure = recorded == null ? "" : recorded.failure(send.step(), failed(), took());
+            if (!failure.isEmpty()) {
+                core.failed(number, failure, atNanos);
             } else {
                 core.sending(number);
                 core.sent(number, true, atNanos);

@@ -19,6 +19,8 @@ import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** A lift goes to the fourth floor by plans of several steps, one of which fails. */
 class OnFailureTest {
@@ -204,6 +206,24 @@ class OnFailureTest {
         assertThat(states()).isEqualTo("(F4, F4)");
         assertThat(top.outcome()).hasToString("HANDLED");
         assertThat(converter.history()).hasSize(1);
+    }
+
+    @ParameterizedTest
+    @EnumSource(OnFailure.class)
+    void aShadowOfTheSameModelsFailsInTheSameSteps(OnFailure then) throws Exception {
+        build(then, "F2 express", "F3 up");
+        Shadow shadow = converter.shadow(Evolution.to(new Floors() {
+            @Override
+            void more() {
+                onFailure(then);
+            }
+        }));
+        press("top");
+        broken.clear();
+        press("top");
+        assertThat(shadow.report().differences()).isEmpty();
+        assertThat(shadow.report().at()).hasToString(states());
+        assertThat(shadow.report().events()).isEqualTo(2);
     }
 
     @Test
