@@ -32,6 +32,10 @@ import org.jspecify.annotations.Nullable;
  */
 final class Bindings implements Predicate<String> {
     private final ModelPair pair;
+
+    /** The guards of the original model. Only those of the event that comes are asked: others may need other values. */
+    private final Map<Event, Set<String>> ofDevice;
+
     private final Map<String, Predicate<Values>> guards = new HashMap<>();
     private final Map<String, GuardWatch> watches = new ConcurrentHashMap<>();
     private final Map<String, Effect.OfEvent> effects = new HashMap<>();
@@ -41,6 +45,7 @@ final class Bindings implements Predicate<String> {
 
     Bindings(ModelPair pair) {
         this.pair = pair;
+        this.ofDevice = byEvent(pair.original());
     }
 
     /** Returns what was bound before. */
@@ -79,19 +84,42 @@ final class Bindings implements Predicate<String> {
         return holds(text, Values.NONE);
     }
 
-    /** Those of {@code drawn} that hold now. One that throws counts as false: the device's action is reported all the same. */
-    Set<String> holding(Set<String> drawn) {
-        if (drawn.isEmpty()) {
+    /** The guards that {@code machine} draws, by the events that they guard. */
+    static Map<Event, Set<String>> byEvent(StateMachine machine) {
+        Map<Event, Set<String>> drawn = new HashMap<>();
+        for (Transition transition : machine.transitions()) {
+            Event event = transition.event();
+            if (!event.guards().isEmpty()) {
+                drawn.computeIfAbsent(event.trigger(), first -> new TreeSet<>()).addAll(event.guards());
+            }
+        }
+        return drawn;
+    }
+
+    /** The guards that the original model draws for {@code event} and that hold now, see the other method. */
+    Set<String> holding(Event event, Values values) {
+        Set<String> drawn = ofDevice.getOrDefault(event, Set.of());
+        return holding(drawn, drawn, values);
+    }
+
+    /**
+     * Those of {@code asked} that hold now for an event with {@code values}. One that throws counts as false: the
+     * device's action is reported all the same.
+     *
+     * @param drawn those drawn for the event; others may need other values, so it is no failure if they throw
+     */
+    Set<String> holding(Set<String> asked, Set<String> drawn, Values values) {
+        if (asked.isEmpty()) {
             return Set.of();
         }
         Set<String> holding = new TreeSet<>();
-        for (String text : drawn) {
+        for (String text : asked) {
             try {
-                if (test(text)) {
+                if (holds(text, values, drawn.contains(text))) {
                     holding.add(text);
                 }
-            } catch (RuntimeException | Error counted) {
-                // The watch has counted it.
+            } catch (RuntimeException | Error failure) {
+                // The watch has counted it, if it counts.
             }
         }
         return holding;
@@ -103,9 +131,13 @@ final class Bindings implements Predicate<String> {
     }
 
     private boolean holds(String text, Values values) {
+        return holds(text, values, true);
+    }
+
+    private boolean holds(String text, Values values, boolean counts) {
         Predicate<Values> condition = guards.get(text);
         GuardWatch watch = watches.get(text);
-        return condition != null && (watch == null ? condition.test(values) : watch.test(condition, values));
+        return condition != null && (watch == null ? condition.test(values) : watch.test(condition, values, counts));
     }
 
     /**

@@ -31,15 +31,20 @@ record Books(
                 listeners);
     }
 
-    /** Records an occurrence that has ended. */
+    /**
+     * Records an occurrence that has ended.
+     *
+     * @param left see {@link History#record}
+     */
     void record(
             Occurrence occurrence,
             Configuration before,
             Configuration after,
             Outcome outcome,
             @Nullable Decision decision,
-            String detail) {
-        history.record(occurrence, before, after, outcome, decision, detail);
+            String detail,
+            String left) {
+        history.record(occurrence, before, after, outcome, decision, detail, left);
         flight.ended(occurrence, before, after, outcome, detail);
         listeners.ended(history);
     }

@@ -83,14 +83,13 @@ final class Carrier {
                     return;
                 }
             } else {
-                visit(next, plan.decision().leavesState() ? plan.occurrence().values() : null);
+                visit(next, plan.occurrence());
             }
         }
         books.transcript().say();
         if (notSettled instanceof Error error) {
             throw error;
-        }
-        if (notSettled instanceof Exception exception) {
+        } else if (notSettled instanceof Exception exception) {
             throw exception;
         }
     }
@@ -99,8 +98,8 @@ final class Carrier {
      * Begins a plan, unless it has begun.
      *
      * @return the directives of the plan
-     * @throws IllegalStateException if it is a plan for another occurrence than that in progress, or leads to states
-     *     that the models do not have
+     * @throws IllegalStateException if it is a plan for another occurrence than that in progress, or has states or
+     *     transitions that the models do not have
      */
     private Agenda takeUp(ChangePlan plan) {
         synchronized (driver) {
@@ -110,7 +109,9 @@ final class Carrier {
             }
             Agenda agenda = outputs.agenda;
             if (agenda.turn() != pending.number()) {
-                plan.requireStatesOf(driver.rules().table().models());
+                if (plan.decision() != driver.decided()) {
+                    plan.requireDrawnIn(driver.rules().table().models());
+                }
                 agenda.begin(pending.number());
                 inputs.planned(pending.number(), plan.decision(), clock.nanoTime());
             }
@@ -254,16 +255,25 @@ final class Carrier {
         carryOut(null);
     }
 
+    /** There is no plan for {@code occurrence}: ends it, and carries out what follows. */
+    void dismiss(Occurrence occurrence) {
+        synchronized (driver) {
+            Pending pending = outputs.begun;
+            if (pending != null && pending.occurrence() == occurrence && driver.core.isBusy()) {
+                inputs.dismissed(pending.number(), clock.nanoTime());
+            }
+        }
+        carryOut(occurrence);
+    }
+
     /**
      * The occurrence in progress has failed: carries out what follows.
      *
      * @param unknown whether it is uncertain if the step being sent had its effect
      */
     void breakOff(Occurrence occurrence, String reason, boolean unknown) {
-        boolean left;
         synchronized (driver) {
             Pending pending = outputs.begun;
-            outputs.left = false;
             // The component that was given up may return at any time, and must find nothing to do.
             outputs.agenda = outputs.agenda.end();
             if (pending != null && driver.core.isBusy()) {
@@ -275,9 +285,8 @@ final class Carrier {
                     inputs.failed(pending.number(), reason, now);
                 }
             }
-            left = outputs.left;
         }
-        carryOut(left ? occurrence.values() : null);
+        carryOut(occurrence);
     }
 
     /** The thread that carries out directives that belong to no occurrence hangs, and is left to itself. */
@@ -287,23 +296,30 @@ final class Carrier {
         }
     }
 
-    private void carryOut(@Nullable Values carried) {
+    private void carryOut(@Nullable Occurrence after) {
         Agenda agenda;
         synchronized (driver) {
             agenda = outputs.agenda;
         }
         for (Output.Directive next = agenda.poll(); next != null; next = agenda.poll()) {
-            visit(next, carried);
+            visit(next, after);
         }
         books.transcript().say();
     }
 
-    /** @param carried the values of the event with which a state is entered; null if it is entered again */
-    private void visit(Output.Directive directive, @Nullable Values carried) {
+    /** The values of the event with which a state is entered; null if it is entered again. */
+    private @Nullable Values carried(Occurrence after) {
+        synchronized (driver) {
+            return outputs.left ? after.values() : null;
+        }
+    }
+
+    /** @param after the occurrence that has ended; null if it is not about one */
+    private void visit(Output.Directive directive, @Nullable Occurrence after) {
         if (directive instanceof Output.Leave) {
             visits.leave();
         } else if (directive instanceof Output.Enter enter) {
-            visits.enter(enter, carried);
+            visits.enter(enter, after == null ? null : carried(after));
         } else if (directive instanceof Output.CarryOver over) {
             visits.carryOver(over);
         } else if (directive instanceof Output.Start start) {

@@ -1,6 +1,7 @@
 package org.evoloop.converter;
 
 import java.util.List;
+import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
@@ -8,6 +9,7 @@ import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.Transition;
 
 /**
  * The plan for an occurrence, which {@link EventPlan} hands to the {@link EventExecute} components.
@@ -26,22 +28,40 @@ public record ChangePlan(Occurrence occurrence, Decision decision) {
     }
 
     /**
-     * An analyze component may have made the decision: the record must not come to states that do not exist.
+     * An analyze component may have made the decision: the record must not come to states that do not exist, and a
+     * journal must be readable by the models.
      *
-     * @throws IllegalStateException if it leads to a state that {@code models} do not have
+     * @throws IllegalStateException if it leads to a state, or takes a transition, that {@code models} do not have
      */
-    void requireStatesOf(ModelPair models) {
-        requireState(models.evolved(), decision.after().evolved(), "new");
-        requireState(models.original(), decision.after().original(), "original");
-        for (int index = 0; index < steps().size(); index++) {
-            requireState(models.original(), steps().get(index).target(), "original");
+    void requireDrawnIn(ModelPair models) {
+        requireStates(models, decision.before());
+        requireStates(models, decision.after());
+        Transition taken = decision.transition();
+        if (taken != null) {
+            requireTransition(models.evolved(), taken, "new");
         }
+        for (Step step : steps()) {
+            requireTransition(models.original(), step.transition(), "original");
+        }
+    }
+
+    private static void requireStates(ModelPair models, Configuration at) {
+        requireState(models.evolved(), at.evolved(), "new");
+        requireState(models.original(), at.original(), "original");
     }
 
     private static void requireState(StateMachine machine, State state, String which) {
         if (!machine.hasState(state)) {
             throw new IllegalStateException("the plan leads to " + state + ", which is not a state of the " + which
                     + " model" + Names.hint(state.name(), machine.states()));
+        }
+    }
+
+    private static void requireTransition(StateMachine machine, Transition taken, String which) {
+        Transition drawn = machine.transition(taken.source(), taken.event()).orElse(null);
+        if (!taken.equals(drawn)) {
+            throw new IllegalStateException("the plan takes " + taken + ", which is not a transition of the " + which
+                    + " model; take one of those that are drawn there");
         }
     }
 }

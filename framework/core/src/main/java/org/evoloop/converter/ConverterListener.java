@@ -17,7 +17,8 @@ import org.evoloop.loop.Failure;
 public interface ConverterListener {
 
     /**
-     * The conversion time of an occurrence, from its observation to its decision. Called right before {@link #ended}.
+     * The conversion time of an occurrence, from its observation to its decision. Called right before {@link #ended};
+     * not for an occurrence whose plan broke off.
      */
     default void converted(Duration waited) {}
 

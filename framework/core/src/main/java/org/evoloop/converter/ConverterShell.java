@@ -135,6 +135,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
         adopt(next);
         before.attach(null);
         monitors.forEach(monitor -> monitor.useNames(next.eventNames()));
+        visits.becomes(evolved.fate().at().evolved());
         carrier.carryOut();
         return Evolution.Result.of(evolved, Duration.ofNanos(config.clock().nanoTime() - begun));
     }
@@ -299,7 +300,8 @@ final class ConverterShell implements LoopListener<Occurrence> {
     }
 
     @Override
-    public void returnedNull(String component, String role, int inARow) {
+    public void returnedNull(String component, String role, int inARow, Occurrence about) {
+        carrier.dismiss(about);
         if (inARow % MOST_NULLS == 0) {
             Failure<Occurrence> failure = new Failure<>(
                     component,

@@ -17,6 +17,8 @@ import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Values;
+import org.evoloop.statemachine.Event;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
@@ -47,6 +49,8 @@ final class CoreDriver {
 
     /** The shadow, which gets the same inputs; null if there is none. */
     private @Nullable ShadowCore shadow;
+
+    private volatile @Nullable Decision decided;
 
     /** When an event last ended. */
     private long endedNanos;
@@ -108,10 +112,23 @@ final class CoreDriver {
         if (pending == null || pending.occurrence() != occurrence) {
             return null;
         }
-        if (resumed != null) {
-            return resumed;
-        }
-        return rules.decide(now, steps, pending, knowledge.bindings().with(occurrence.values()));
+        Decision made = resumed != null
+                ? resumed
+                : rules.decide(now, steps, pending, knowledge.bindings().with(occurrence.values()));
+        decided = made;
+        return made;
+    }
+
+    /** Whether a plan for {@code occurrence} has failed in the middle, so that its device may have to be brought back. */
+    synchronized boolean hasBroken(Occurrence occurrence) {
+        Pending pending = outputs.begun;
+        return pending != null && pending.occurrence() == occurrence && pending.broken() != null;
+    }
+
+    /** The last decision by the rules, to tell it from those of an analyze component; null if there is none. */
+    @Nullable
+    Decision decided() {
+        return decided;
     }
 
     /** The agenda of {@code plan}; null if it does not have the turn. */
@@ -229,9 +246,9 @@ final class CoreDriver {
         }
     }
 
-    /** The guards of the original model that hold now. */
-    Set<String> holding() {
-        return knowledge.bindings().holding(rules.table().models().original().guards());
+    /** The guards that the original model draws for {@code event} and that hold now, by its values. */
+    Set<String> holding(Event event, Values values) {
+        return knowledge.bindings().holding(event, values);
     }
 
     Rules rules() {

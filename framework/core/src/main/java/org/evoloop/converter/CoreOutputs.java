@@ -32,7 +32,7 @@ final class CoreOutputs implements Outputs {
     /** The admission of the last occurrence offered. */
     Admission admission = Admission.TAKEN;
 
-    /** Whether the last occurrence that ended has led out of the state. */
+    /** Whether the occurrence that had its turn last has ended by leading out of the state. */
     boolean left;
 
     /** Also receives the outputs; null if there is no shadow. */
@@ -41,19 +41,24 @@ final class CoreOutputs implements Outputs {
 
     private final CurrentKnowledge knowledge;
     private final Books books;
-    private final Supplier<String> leaving;
+    private final Supplier<String> progress;
     private final Watchman watchman;
     private volatile Configuration at;
     private Output.@Nullable Evolved evolution;
 
+    /** The progress of the function that was left last, in words, and the number of the occurrence that left it. */
+    private String leaving = "";
+
+    private long leavingNumber;
+
     /** The last event, if neither model knows it. */
     private @Nullable Event unknown;
 
-    /** @param leaving the progress of the function that is about to be left, in words; empty if there is none */
+    /** @param progress that of the function that is about to be left, in words; empty if there is none */
     CoreOutputs(
-            Configuration at, CurrentKnowledge knowledge, Books books, Supplier<String> leaving, Watchman watchman) {
+            Configuration at, CurrentKnowledge knowledge, Books books, Supplier<String> progress, Watchman watchman) {
         this.watchman = watchman;
-        this.leaving = leaving;
+        this.progress = progress;
         this.at = at;
         this.knowledge = knowledge;
         this.books = books;
@@ -76,14 +81,16 @@ final class CoreOutputs implements Outputs {
 
     @Override
     public void leave() {
-        // Recorded before it is carried out, since the event that ends the visit may end first.
-        books.history().leaving(leaving.get());
+        // Noted before it is carried out, since the event that ends the visit may end first.
+        leaving = progress.get();
+        leavingNumber = begun == null ? 0 : begun.number();
         agenda.add(Output.LEAVE);
     }
 
     @Override
     public void begin(Pending pending) {
         begun = pending;
+        left = false;
         books.flight().begun(pending.occurrence());
         books.transcript().observed(pending.occurrence());
         if (shadow != null) {
@@ -110,7 +117,7 @@ final class CoreOutputs implements Outputs {
     public void dropped(Occurrence occurrence, boolean first) {
         admission = first ? Admission.FIRST_DROPPED : Admission.DROPPED;
         books.flight().observed(occurrence, "dropped");
-        books.record(occurrence, at, at, Outcome.DROPPED, null, "the queue was full");
+        books.record(occurrence, at, at, Outcome.DROPPED, null, "the queue was full", "");
     }
 
     @Override
@@ -177,7 +184,9 @@ final class CoreOutputs implements Outputs {
             Outcome outcome,
             @Nullable Decision decision,
             String detail) {
-        left = decision != null && decision.leavesState();
+        if (isBegun(occurrence)) {
+            left = decision != null && decision.leavesState();
+        }
         if (decision instanceof Decision.Impossible impossible) {
             books.failures().warnSoon(occurrence + " in " + before + ": " + impossible.reason());
         }
@@ -190,10 +199,20 @@ final class CoreOutputs implements Outputs {
             books.transcript().violated(violated);
         }
         books.transcript().ended(occurrence, after);
-        books.record(occurrence, before, after, outcome, decision, detail);
+        books.record(occurrence, before, after, outcome, decision, detail, left(occurrence));
         if (shadow != null) {
             shadow.ended(occurrence, before, after, outcome, decision, detail);
         }
+    }
+
+    /** The progress of the function that {@code occurrence} has left; a stop leaves it, too. */
+    private String left(Occurrence occurrence) {
+        return begun != null && isBegun(occurrence) && begun.number() == leavingNumber ? leaving : "";
+    }
+
+    /** Others end at once, while it is in progress. */
+    private boolean isBegun(Occurrence occurrence) {
+        return begun != null && begun.occurrence() == occurrence;
     }
 
     /** An event that neither model knows is logged once, and again only after a different one. */

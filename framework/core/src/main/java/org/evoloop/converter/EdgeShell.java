@@ -19,6 +19,7 @@ import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.LoopListener;
 import org.evoloop.loop.MapeLoop;
 import org.evoloop.loop.QueueStatus;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
@@ -41,8 +42,11 @@ public final class EdgeShell implements AutoCloseable {
     private final Decider decider;
     private final FailureLog failures;
     private final Visits visits;
-    /** Those of both models. */
-    private final Set<String> guards = new TreeSet<>();
+    /** Those of both models, by the events that they guard. */
+    private final Map<Event, Set<String>> guards;
+
+    /** All of them: what is sent for an event may have guards of its own. */
+    private final Set<String> all = new TreeSet<>();
 
     private final Assembly assembly = new Assembly();
     private final MapeLoop<Occurrence, Analysis, ChangePlan> loop;
@@ -98,9 +102,17 @@ public final class EdgeShell implements AutoCloseable {
         this.failures = new FailureLog(config);
         this.visits = new Visits(config, new CurrentKnowledge(knowledge), new Transcript(), failures);
         this.at = knowledge.models().initial();
-        guards.addAll(knowledge.models().original().guards());
-        guards.addAll(knowledge.models().evolved().guards());
+        this.guards = Bindings.byEvent(knowledge.models().original());
+        Bindings.byEvent(knowledge.models().evolved())
+                .forEach((event, drawn) -> guards.merge(event, drawn, EdgeShell::union));
+        guards.values().forEach(all::addAll);
         this.loop = new MapeLoop<>(config, new Failures(), Dispatch.toEach(), new ReportIntake());
+    }
+
+    private static Set<String> union(Set<String> one, Set<String> other) {
+        Set<String> both = new TreeSet<>(one);
+        both.addAll(other);
+        return both;
     }
 
     /** Adds a monitor; what it reports goes to the decider at once, on the thread that reports it. */
@@ -129,7 +141,7 @@ public final class EdgeShell implements AutoCloseable {
         for (Component component : assembly.all()) {
             if (component instanceof EventMonitor monitor) {
                 // Guards are evaluated once for each event, by observed().
-                monitor.attach(config, loop, knowledge.eventNames(), Set::of);
+                monitor.attach(config, loop, knowledge.eventNames(), (event, values) -> Set.of());
                 loop.addMonitor(monitor);
             } else if (component instanceof EventExecute execute) {
                 execute.attach(effects, null);
@@ -279,8 +291,9 @@ public final class EdgeShell implements AutoCloseable {
     // What is observed
 
     private void observed(Occurrence occurrence) {
-        Set<String> holding =
-                occurrence instanceof Occurrence.Heard ? knowledge.bindings().holding(guards) : Set.of();
+        Set<String> holding = occurrence instanceof Occurrence.Heard heard
+                ? knowledge.bindings().holding(all, guards.getOrDefault(heard.event(), Set.of()), heard.values())
+                : Set.of();
         if (occurrence instanceof Occurrence.Heard heard && !holding.isEmpty()) {
             decider.observed(new Occurrence.Heard(
                     heard.event(),

@@ -19,6 +19,8 @@ import org.jspecify.annotations.Nullable;
  * }
  * }</pre>
  *
+ * <p>A refined decision takes transitions that the models draw; with any other, the event fails.
+ *
  * <p>A fact, on which the device has already acted, can be refused too; the record of the device follows it all the
  * same.
  *
@@ -64,11 +66,14 @@ public class EventAnalyze extends Analyze<Occurrence, Analysis> {
 
     /**
      * An analysis that dismisses {@code occurrence}; the history shows the reason. What keeps the record right cannot be
-     * refused, and is analyzed as usual: a question to a device whose state is in doubt, and what has to be sent after
-     * other models have taken over.
+     * refused, and is analyzed as usual: a question to a device whose state is in doubt, what has to be sent after
+     * other models have taken over, and the way back, or the other way, after a step of the event's plan has failed.
      */
     protected final Analysis refuse(Occurrence occurrence, String reason) {
-        boolean keepsRecord = occurrence instanceof Occurrence.InDoubt || occurrence instanceof Occurrence.Evolved;
+        CoreDriver attached = driver;
+        boolean keepsRecord = occurrence instanceof Occurrence.InDoubt
+                || occurrence instanceof Occurrence.Evolved
+                || (attached != null && attached.hasBroken(occurrence));
         Analysis usual = keepsRecord ? decided(occurrence) : null;
         return usual == null ? new Analysis(occurrence, new Decision.Refused(configuration(), reason)) : usual;
     }

@@ -1,7 +1,7 @@
 package org.evoloop.converter;
 
 import java.util.Set;
-import java.util.function.Supplier;
+import java.util.function.BiFunction;
 import org.evoloop.evolution.EventNames;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
@@ -28,7 +28,7 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     private volatile @Nullable EventNames eventNames;
     private volatile @Nullable LoopConfig config;
     private volatile @Nullable MapeLoop<Occurrence, ?, ?> loop;
-    private volatile Supplier<Set<String>> guards = Set::of;
+    private volatile BiFunction<Event, Values, Set<String>> guards = (event, values) -> Set.of();
 
     /** A monitor named after its class. */
     protected EventMonitor() {}
@@ -38,9 +38,12 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         super(name);
     }
 
-    /** @param holding supplies the guards of the original model that hold now */
+    /** @param holding the guards that the original model draws for an event and that hold now, by its values */
     final void attach(
-            LoopConfig loopConfig, MapeLoop<Occurrence, ?, ?> joined, EventNames names, Supplier<Set<String>> holding) {
+            LoopConfig loopConfig,
+            MapeLoop<Occurrence, ?, ?> joined,
+            EventNames names,
+            BiFunction<Event, Values, Set<String>> holding) {
         eventNames = names;
         config = loopConfig;
         loop = joined;
@@ -192,7 +195,8 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         EventNames names = eventNames;
         Event heard = names == null ? new Event(event) : names.named(event);
         // A fact moves the record at once, so its guards are evaluated here, before it is reported.
-        return new Occurrence.Heard(heard, values, source, deviceActed, guards.get(), Occurrence.ANY_VISIT, nanoTime());
+        Set<String> holding = guards.apply(heard, values);
+        return new Occurrence.Heard(heard, values, source, deviceActed, holding, Occurrence.ANY_VISIT, nanoTime());
     }
 
     private long nanoTime() {

@@ -79,13 +79,27 @@ final class Evolver {
 
     /** As {@link SystemEventConverter#rollBack}. */
     Evolution.Result rollBack(ConverterShell shell, String why) {
+        wayBack(shell);
+        announce(shell, why);
+        return rollBack(shell);
+    }
+
+    private static void announce(ConverterShell shell, String why) {
+        shell.books.transcript().notice("***  The converter rolls back, " + why + ".  ***  ");
+    }
+
+    private Evolution.Result rollBack(ConverterShell shell) {
+        WayBack back = wayBack(shell);
+        return evolve(shell, Evolution.to(back.to()).withMapping(back.mapping()).withoutWayBack(), true);
+    }
+
+    private WayBack wayBack(ConverterShell shell) {
         WayBack back = wayBack == null ? resumed : wayBack;
         if (back == null || back.from() != shell.knowledge()) {
             throw new IllegalStateException("there is nothing to roll back to: the converter " + config.name()
                     + " has not evolved, or said that it need not be undone");
         }
-        shell.books.transcript().notice("***  The converter rolls back, " + why + ".  ***  ");
-        return evolve(shell, Evolution.to(back.to()).withMapping(back.mapping()).withoutWayBack(), true);
+        return back;
     }
 
     /** As {@link SystemEventConverter#shadow(Evolution)}. */
@@ -246,7 +260,8 @@ final class Evolver {
         /** Opens the way back to {@code previous}, and begins the trial if there is to be one. */
         private void openWayBack(StateKnowledge previous) {
             Trial trial = evolution.probation().isAny()
-                    ? new Trial(config, shell, evolution.probation(), why -> rollBack(shell, why))
+                    ? new Trial(
+                            config, shell, evolution.probation(), why -> announce(shell, why), () -> rollBack(shell))
                     : null;
             wayBack =
                     new WayBack(evolution.next(), previous, evolution.mapping().reversed(), trial);

@@ -35,8 +35,13 @@ final class GuardWatch {
         return asked.get() > 0;
     }
 
-    /** @throws IllegalStateException if it has hung in another thread for longer than the step limit */
-    boolean test(Predicate<Values> condition, Values values) {
+    /**
+     * Evaluates it.
+     *
+     * @param counts whether an exception counts as a failure
+     * @throws IllegalStateException if it has hung in another thread for longer than the step limit
+     */
+    boolean test(Predicate<Values> condition, Values values, boolean counts) {
         long now = clock.nanoTime();
         if (isAsked() && now - movedNanos > limitNanos) {
             throw new IllegalStateException("guard [" + text + "] has not returned for " + limitNanos / 1_000_000
@@ -50,7 +55,9 @@ final class GuardWatch {
         try {
             return condition.test(values);
         } catch (RuntimeException | Error cause) {
-            failures.fault("guard [" + text + "]", new Failure<>("guard", text, 0, null, cause));
+            if (counts) {
+                failures.fault("guard [" + text + "]", new Failure<>("guard", text, 0, null, cause));
+            }
             throw cause;
         } finally {
             movedNanos = clock.nanoTime();

@@ -27,9 +27,6 @@ final class History {
     /** How many events were recorded elsewhere before the first one here. */
     private long before;
 
-    /** The progress of the function that the event about to end has left. */
-    private volatile String leaving = "";
-
     History(Clock clock) {
         this(clock, SIZE);
     }
@@ -50,6 +47,7 @@ final class History {
      * Records an event that has ended.
      *
      * @param decision its decision, which gives the detail; null if {@code detail} gives it
+     * @param left the progress of the function that it left; empty if it left none
      */
     void record(
             Occurrence occurrence,
@@ -57,19 +55,9 @@ final class History {
             Configuration after,
             Outcome outcome,
             @Nullable Decision decision,
-            String detail) {
-        // This event did not end a visit that ended for another reason, such as a stop.
-        String left = before.evolved().equals(after.evolved()) ? "" : leaving;
-        leaving = "";
+            String detail,
+            String left) {
         record(clock.wallTime(), clock.nanoTime(), occurrence, before, after, outcome, decision, detail, left);
-    }
-
-    /**
-     * The event in progress leaves a function whose progress is {@code where}. Called by the thread that carries out
-     * that event.
-     */
-    void leaving(String where) {
-        leaving = where;
     }
 
     /**

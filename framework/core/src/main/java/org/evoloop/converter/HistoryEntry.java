@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
  * @param detail the events sent, the function started, or why nothing happened; and the progress of a function that it
  *     ended, if reported
  * @param decision its decision: the transition of the new model and the steps planned for the device; null if it was
- *     not decided
+ *     not decided, or its plan broke off
  * @param took the time from its observation to its end
  * @since 0.1
  */

@@ -81,7 +81,7 @@ final class HistoryLine {
         if (decision instanceof Decision.Resynchronization) {
             return "the device was found in " + decision.after().original();
         }
-        if (decision instanceof Decision.NewState) {
+        if (decision instanceof Decision.NewState && decision.leavesState()) {
             return "new function of " + decision.after().evolved();
         }
         List<String> steps = new ArrayList<>();

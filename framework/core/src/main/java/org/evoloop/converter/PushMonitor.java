@@ -63,9 +63,10 @@ public class PushMonitor extends EventMonitor {
     }
 
     /**
-     * Reports an occurrence. While the converter is stopped it is refused, and counted by {@code status}. Until the
-     * converter is built, the last {@value #MOST_KEPT} are kept, and the loss of earlier ones is logged; after this
-     * monitor has been removed from a converter, none is kept.
+     * Reports an occurrence. While the converter is stopped, a controller's event is refused and counted by {@code
+     * status}; what the device did by itself moves the record all the same, and waits for the start. Until the converter
+     * is built, the last {@value #MOST_KEPT} are kept, and the loss of earlier ones is logged; after this monitor has
+     * been removed from a converter, none is kept.
      */
     protected final void push(Occurrence occurrence) {
         pass(occurrence);

@@ -123,8 +123,9 @@ public class StateKnowledge extends Knowledge {
 
     /**
      * Binds the guard of this text, in either model. It is evaluated on the analyze component's thread when an event
-     * comes that the new model guards with it, and on an execute component's thread before an event is sent over a
-     * guarded transition of the original model. If it throws, that event fails.
+     * comes that the new model guards with it, on an execute component's thread before an event is sent over a
+     * guarded transition of the original model, and on the thread that reports an event which the original model guards
+     * with it. If it throws, that event fails; what the device has done by itself counts as if it did not hold.
      *
      * @param text as drawn, without brackets
      */

@@ -19,7 +19,8 @@ final class Trial implements ConverterListener {
     private final ConverterShell shell;
     private final Probation probation;
     private final Probation.Watch watch;
-    private final Consumer<String> rollBack;
+    private final Consumer<String> announce;
+    private final Runnable rollBack;
 
     /** The number of the last event before the trial. */
     private final long first;
@@ -28,14 +29,24 @@ final class Trial implements ConverterListener {
     private Clock.@Nullable Timer end;
     private long events;
     private volatile boolean over;
-    private @Nullable String fault;
 
-    /** A trial of the models that have just taken over. */
-    Trial(LoopConfig config, ConverterShell shell, Probation probation, Consumer<String> rollBack) {
+    // In a converter without threads: why it has to roll back, null if it need not, and since when.
+    private @Nullable String fault;
+    private long faultNanos;
+    private boolean announced;
+
+    /**
+     * A trial of the models that have just taken over.
+     *
+     * @param announce is told why they are rolled back, before the first attempt
+     * @param rollBack rolls them back
+     */
+    Trial(LoopConfig config, ConverterShell shell, Probation probation, Consumer<String> announce, Runnable rollBack) {
         this.config = config;
         this.shell = shell;
         this.probation = probation;
         this.watch = probation.watches().begin(shell.driver.rules().table(), shell.driver.configuration());
+        this.announce = announce;
         this.rollBack = rollBack;
         this.first = shell.driver.recorded();
         this.begunNanos = config.clock().nanoTime();
@@ -124,23 +135,38 @@ final class Trial implements ConverterListener {
             Threads.start("converter-" + config.name() + "-rollback", () -> rollBack(why));
         } else {
             fault = why;
+            faultNanos = config.clock().nanoTime();
         }
     }
 
-    /** In a converter without threads, the caller that steps it rolls back. */
+    /**
+     * In a converter without threads, the caller that steps it rolls back: as soon as that is possible, since the device
+     * may have to be asked first.
+     */
     void stepped() {
         String why = fault;
+        if (why == null) {
+            return;
+        }
         fault = null;
-        if (why != null) {
-            rollBack(why);
+        long waited = config.clock().nanoTime() - faultNanos;
+        if (!rollBack(why) && waited < Evolution.USUAL_DEADLINE.toNanos()) {
+            fault = why;
         }
     }
 
-    private void rollBack(String why) {
+    /** Returns whether nothing is left to be done. */
+    private boolean rollBack(String why) {
         try {
-            rollBack.accept(why);
+            if (!announced) {
+                announced = true;
+                announce.accept(why);
+            }
+            rollBack.run();
+            return true;
         } catch (EvolutionException | IllegalStateException impossible) {
             shell.books.failures().warn(why + "; " + impossible.getMessage());
+            return impossible instanceof IllegalStateException;
         }
     }
 }

@@ -41,6 +41,10 @@ final class Visits implements VisitHost {
     private final FunctionRunner functions;
     private @Nullable MapeLoop<Occurrence, ?, ?> loop;
     private @Nullable HostedVisit current;
+
+    /** The state of the current visit, in terms of the present models. */
+    private @Nullable State present;
+
     private NewFunction function = NewFunction.none();
     private Map<Event, Long> deadlines = Map.of();
     private int retries;
@@ -73,6 +77,7 @@ final class Visits implements VisitHost {
         HostedVisit entered = new HostedVisit(enter.state(), enter.visit(), values, this);
         functions.begin(entered);
         current = entered;
+        present = enter.state();
         Transition by = enter.by();
         function = by == null ? NewFunction.none() : knowledge.get().action(by);
         set(Map.of(), enter.deadlines(), entered);
@@ -80,7 +85,12 @@ final class Visits implements VisitHost {
 
     private Values valuesBefore(State again) {
         Visit before = current;
-        return before != null && before.state().equals(again) ? before.values() : Values.NONE;
+        return before != null && again.equals(present) ? before.values() : Values.NONE;
+    }
+
+    /** Other models have taken over, whose {@code state} succeeds that of the current visit, continued or not. */
+    synchronized void becomes(State state) {
+        present = state;
     }
 
     /** Continues the current visit and its function in a state of other models. */

@@ -134,7 +134,7 @@ public sealed interface Occurrence {
         /** For messages: {@code Clean (asked by a function)}. */
         @Override
         public String toString() {
-            return event + " (asked by a function)";
+            return event + " (asked by a function" + (values.isEmpty() ? "" : ", " + values) + ")";
         }
     }
 

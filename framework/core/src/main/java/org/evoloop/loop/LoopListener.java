@@ -29,11 +29,11 @@ public interface LoopListener<O> {
     void dropped(O occurrence, boolean first);
 
     /**
-     * Analyze or plan has returned null, so the occurrence is ignored. In some loops that is normal when nothing has to
-     * be done, in others it should be rare.
+     * Analyze or plan has returned null, so {@code about} is ignored. In some loops that is normal when nothing has to
+     * be done, in others it should be rare. Called on the thread that has the turn.
      *
      * @param role the role as displayed, such as {@code analyze}
      * @param inARow how many times in a row it has returned null, from 1
      */
-    default void returnedNull(String component, String role, int inARow) {}
+    default void returnedNull(String component, String role, int inARow, O about) {}
 }

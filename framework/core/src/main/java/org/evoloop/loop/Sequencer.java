@@ -213,9 +213,18 @@ final class Sequencer<O> {
         end(worker, null);
     }
 
-    /** A stage has returned null, {@code inARow} times in a row. */
+    /** A stage has returned null, {@code inARow} times in a row; what was given up before has ended already. */
     void returnedNull(StageWorker<?> worker, int inARow) {
-        listener.returnedNull(worker.component().name(), worker.roleName(), inARow);
+        O about;
+        lock.acquire();
+        try {
+            about = busy == worker ? occurrence : null;
+        } finally {
+            release();
+        }
+        if (about != null) {
+            listener.returnedNull(worker.component().name(), worker.roleName(), inARow, about);
+        }
     }
 
     void report(Worker worker, String phase, long inCycle, @Nullable O about, Throwable cause) {

@@ -1,12 +1,14 @@
 package org.evoloop.rehearsal;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.evoloop.core.Output;
 import org.evoloop.core.Outputs;
 import org.evoloop.core.text.DecisionKind;
+import org.evoloop.evolution.BrokenPlan;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.statemachine.State;
@@ -25,6 +27,10 @@ public class Chronicle implements Outputs {
     private List<String> sent = new ArrayList<>();
     private int took;
     private Set<String> guards = Set.of();
+
+    /** The steps of the occurrence in progress that have failed, if it continues; null if none has. */
+    private @Nullable BrokenPlan broken;
+
     private long visit;
 
     /**
@@ -39,19 +45,17 @@ public class Chronicle implements Outputs {
 
     @Override
     public void say(Output output) {
-        if (output instanceof Output.Begin) {
+        if (output instanceof Output.Begin begin) {
             sent = new ArrayList<>();
             took = 0;
-            guards = Set.of();
+            broken = begin.pending().broken();
+            guards = broken == null ? Set.of() : guards;
         } else if (output instanceof Output.Send send) {
             sent.add(send.step().trigger().name());
         } else if (output instanceof Output.Took) {
             took++;
         } else if (output instanceof Output.Decided decided) {
-            Transition transition = decided.decision().transition();
-            guards = transition == null
-                    ? Set.of()
-                    : Set.copyOf(transition.event().guards());
+            guards = union(guards, guardsOf(decided.decision()));
         } else if (output instanceof Output.Enter enter) {
             visit = enter.visit();
         } else if (output instanceof Output.CarryOver carryOver) {
@@ -62,6 +66,23 @@ public class Chronicle implements Outputs {
                 end(ofModels);
             }
         }
+    }
+
+    /** The guards that held for a decision; where a function asks for an event, they are the device's. */
+    private static Set<String> guardsOf(Decision decision) {
+        Transition transition = decision.transition();
+        Set<String> held = new HashSet<>(
+                transition == null ? List.of() : transition.event().guards());
+        if (decision instanceof Decision.Sending) {
+            decision.steps().forEach(step -> held.addAll(step.event().guards()));
+        }
+        return held;
+    }
+
+    private static Set<String> union(Set<String> one, Set<String> other) {
+        Set<String> both = new HashSet<>(one);
+        both.addAll(other);
+        return both;
     }
 
     /** Doubts and violations are not events of the models; that the device was elsewhere than recorded is one. */
@@ -85,7 +106,7 @@ public class Chronicle implements Outputs {
         Decision decision = ended.decision();
         String why = decision == null ? ended.detail() : words(decision);
         Verdict verdict = new Verdict(ended.before(), ended.after(), ended.outcome(), sent, why);
-        endings.accept(new Ending(ended, verdict, took, guards));
+        endings.accept(new Ending(ended, verdict, took, guards, broken));
         sent = new ArrayList<>();
     }
 
@@ -101,5 +122,10 @@ public class Chronicle implements Outputs {
 
     int took() {
         return took;
+    }
+
+    /** How many steps of the occurrence in progress have failed before. */
+    int failed() {
+        return broken == null ? 0 : broken.failed().size();
     }
 }

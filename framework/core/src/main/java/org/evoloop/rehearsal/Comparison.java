@@ -130,8 +130,15 @@ public final class Comparison {
             early.remove(answer);
         }
         if (ending.ended().outcome() != Outcome.STALE) {
-            compared.compared(occurrence, ending.verdict(), answer == null ? null : answer.verdict());
+            Verdict now = answer != null ? answer.verdict() : isNoNews(ending) ? ending.verdict() : null;
+            compared.compared(occurrence, ending.verdict(), now);
         }
+    }
+
+    /** Whether the device was found, and the other models are where that led: they have no doubts. */
+    private boolean isNoNews(Ending ending) {
+        return ending.ended().occurrence() instanceof Occurrence.Found
+                && ending.ended().after().equals(other().at());
     }
 
     /** Time has passed: timers that only the other models have get their turns. */

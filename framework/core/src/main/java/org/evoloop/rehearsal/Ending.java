@@ -1,8 +1,12 @@
 package org.evoloop.rehearsal;
 
+import java.util.List;
 import java.util.Set;
 import org.evoloop.core.Outcome;
 import org.evoloop.core.Output;
+import org.evoloop.evolution.BrokenPlan;
+import org.evoloop.evolution.Step;
+import org.jspecify.annotations.Nullable;
 
 /**
  * How an event ended.
@@ -11,17 +15,35 @@ import org.evoloop.core.Output;
  *
  * @param ended the core's output
  * @param verdict the same in words
- * @param took how many steps had had their effect
+ * @param took how many steps of its last plan had had their effect
  * @param guards the guards that held for the decision
+ * @param broken the plans for it that had failed before its last one; null if there was only one
  * @since 0.1
  */
-public record Ending(Output.Ended ended, Verdict verdict, int took, Set<String> guards) {
+public record Ending(
+        Output.Ended ended,
+        Verdict verdict,
+        int took,
+        Set<String> guards,
+        @Nullable BrokenPlan broken) {
     public Ending {
         guards = Set.copyOf(guards);
     }
 
-    /** Whether a step failed. */
-    boolean isBroken() {
-        return ended.outcome() == Outcome.FAILED && ended.decision() == null;
+    /**
+     * Why {@code step} of other models fails, since it failed here; empty if it succeeds.
+     *
+     * @param before how many steps have failed before it
+     * @param taken how many steps of the plan have had their effect
+     */
+    String failure(Step step, int before, int taken) {
+        List<Step> failed = broken == null ? List.of() : broken.failed();
+        if (broken != null && before < failed.size()) {
+            Step next = failed.get(before);
+            boolean same = next.source().equals(step.source()) && next.trigger().equals(step.trigger());
+            return same ? broken.reason() : "";
+        }
+        boolean isBroken = ended.outcome() == Outcome.FAILED && ended.decision() == null;
+        return isBroken && took <= taken ? verdict.why() : "";
     }
 }

@@ -121,8 +121,18 @@ final class Rehearsal extends Chronicle {
             here = at().evolved().equals(raisedIn) ? Reframed.inVisit(occurrence, visit()) : null;
         }
         if (here != null) {
-            outstanding.add(here);
-            core.observed(here);
+            observe(here);
+        }
+    }
+
+    private void observe(Occurrence here) {
+        long before = like(here);
+        int waiting = core.waiting();
+        outstanding.add(here);
+        core.observed(here);
+        if (here instanceof Occurrence.Found && core.waiting() == waiting && like(here) > before) {
+            // No news, so it never has its turn.
+            isOut(here);
         }
     }
 
@@ -252,9 +262,10 @@ final class Rehearsal extends Chronicle {
     private void carryOut(Pending pending, Output.@Nullable Directive next, long atNanos) {
         long number = pending.number();
         Ending recorded = then.apply(pending.occurrence());
-        if (next instanceof Output.Send) {
-            if (recorded != null && recorded.isBroken() && recorded.took() <= took()) {
-                core.failed(number, recorded.verdict().why(), atNanos);
+        if (next instanceof Output.Send send) {
+            String failure = recorded == null ? "" : recorded.failure(send.step(), failed(), took());
+            if (!failure.isEmpty()) {
+                core.failed(number, failure, atNanos);
             } else {
                 core.sending(number);
                 core.sent(number, true, atNanos);

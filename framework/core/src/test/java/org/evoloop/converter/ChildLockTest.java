@@ -159,4 +159,53 @@ class ChildLockTest {
             assertThat(player.states()).isEqualTo(at("Stopped", "Stopped"));
         }
     }
+
+    @Test
+    void aRefinedDecisionLeadsElsewhereOverDrawnTransitions() {
+        EventAnalyze gentle = new EventAnalyze() {
+            @Override
+            protected @Nullable Analysis analyze(Occurrence occurrence) {
+                return occurrence.label().equals("stop")
+                        ? new Analysis(occurrence, fading(configuration()))
+                        : super.analyze(occurrence);
+            }
+
+            private Decision fading(Configuration here) {
+                Transition fade = Player.MODELS
+                        .evolved()
+                        .transition(here.evolved(), new Event("fade"))
+                        .orElseThrow();
+                return new Decision.NewState(here, here.withEvolved(fade.target()), List.of(), fade, List.of());
+            }
+        };
+        try (Player player = new Player(visit -> visit.finish("faded"), gentle)) {
+            player.press("play");
+            player.press("stop");
+            player.settle();
+            assertThat(player.outcomes()).containsExactly("play HANDLED", "stop HANDLED", "faded HANDLED");
+            assertThat(player.states()).isEqualTo(at("Stopped", "Stopped"));
+        }
+    }
+
+    @Test
+    void aRefinedDecisionOverATransitionThatIsNotDrawnFails() {
+        EventAnalyze inventive = new EventAnalyze() {
+            @Override
+            protected Analysis analyze(Occurrence occurrence) {
+                Configuration here = configuration();
+                State paused = new State("Paused");
+                Transition invented = new Transition(here.evolved(), new Event("play"), paused);
+                return new Analysis(
+                        occurrence,
+                        new Decision.ExistingState(here, at("Paused", "Paused"), List.of(), invented, List.of()));
+            }
+        };
+        try (Player player = new Player(NewFunction.none(), inventive)) {
+            player.press("play");
+            player.settle();
+            assertThat(player.last().detail())
+                    .contains("the plan takes Stopped --play--> Paused, which is not a transition of the new model");
+            assertThat(player.states()).isEqualTo(at("Stopped", "Stopped"));
+        }
+    }
 }

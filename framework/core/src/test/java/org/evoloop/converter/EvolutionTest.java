@@ -290,4 +290,61 @@ class EvolutionTest {
         assertThat(player.converter.knowledge()).isSameAs(next);
         assertThat(next.getCurrentState()).isEqualTo(new State("Stopped"));
     }
+
+    @Test
+    void aRecordInDoubtOnProbationRollsBackOnceTheDeviceWasAsked() {
+        player.converter.evolve(
+                Evolution.to(Player.dozing(NewFunction.none())).withProbation(Probation.of(Duration.ofMinutes(1))));
+        player.device.canBeAsked = true;
+        player.after = () -> {
+            player.after = () -> {};
+            throw new UnknownEffectException("play was not answered");
+        };
+        player.press("play");
+        player.settle();
+        assertThat(player.outcomes()).containsExactly("play FAILED", "in doubt HANDLED");
+        assertThat(player.converter.knowledge().models()).isEqualTo(Player.MODELS);
+        assertThat(player.states()).hasToString("(Playing, Playing)");
+    }
+
+    @Test
+    void aRollbackThatIsNotPossibleInTimeIsGivenUp() {
+        player.converter.evolve(
+                Evolution.to(Player.dozing(NewFunction.none())).withProbation(Probation.of(Duration.ofMinutes(1))));
+        player.after = () -> {
+            player.after = () -> {};
+            throw new UnknownEffectException("play was not answered");
+        };
+        player.press("play");
+        player.settle();
+        player.clock.advance(Evolution.USUAL_DEADLINE);
+        player.settle();
+        player.found();
+        player.settle();
+        assertThat(player.doubt()).isEmpty();
+        assertThat(player.converter.knowledge().models().evolved().name()).isEqualTo("next");
+    }
+
+    @Test
+    void aStateWithAnotherNameKeepsTheValuesOfTheEventThatLedToIt() {
+        player.press("play");
+        player.buttons.press("fade", Values.of("volume", 7));
+        player.observe();
+        player.settle();
+        List<Values> seen = new ArrayList<>();
+        player.converter.evolve(Evolution.to(Player.knowledge(
+                        List.of("Softening"),
+                        visit -> seen.add(visit.values()),
+                        "Playing fade -> Softening",
+                        "Softening faded -> Stopped",
+                        "Softening stop -> Stopped"))
+                .withMapping(Mapping.byName()
+                        .withState(new State("Fading"), new State("Softening"))
+                        .withFunction(new State("Fading"), false)));
+        player.converter.stop();
+        player.converter.start();
+        assertThat(seen).containsExactly(Values.of("volume", 7), Values.of("volume", 7));
+        player.converter.rollBack();
+        assertThat(fadings).singleElement().extracting(Visit::values).isEqualTo(Values.of("volume", 7));
+    }
 }

@@ -10,10 +10,12 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Values;
 import org.evoloop.function.NewFunction;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.Failure;
+import org.evoloop.statemachine.Event;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -142,6 +144,9 @@ class FunctionRequestsTest {
             player.observe();
             player.settle();
             assertThat(player.sent).containsExactly("play", "pause volume=7.0", "stop seconds=3.0");
+            assertThat(player.converter.history())
+                    .extracting(entry -> entry.occurrence().toString())
+                    .contains("pause (asked by a function, volume=7.0)", "faded (function, seconds=3.0)");
         }
     }
 
@@ -223,5 +228,61 @@ class FunctionRequestsTest {
             player.settle();
         }
         assertThat(heard).containsExactly("Fading.function: no volume", "Fading.function: no sound");
+    }
+
+    @Test
+    void aFunctionThatStartsAgainAfterItsEndWasOvertakenAgainAndAgainHasItsOwnValues() {
+        List<Values> seen = new ArrayList<>();
+        try (Player player = new Player(visit -> seen.add(visit.values()))) {
+            player.press("play");
+            player.buttons.press("fade", Values.of("volume", 7));
+            player.observe();
+            player.settle();
+            player.device.awaitReady = () -> player.acts(player.state.name().equals("Playing") ? "pause" : "play");
+            player.buttons.press("stop", Values.of("volume", 1));
+            player.observe();
+            player.settle();
+            assertThat(player.outcomes()).contains("stop FAILED");
+            assertThat(seen).containsExactly(Values.of("volume", 7), Values.of("volume", 7));
+        }
+    }
+
+    @Test
+    void anEventThatEndsMeanwhileDoesNotTakeWhatTheFunctionSaid() {
+        try (Player player = new Player(visit -> visit.progress("half as loud"))) {
+            player.press("play");
+            player.press("fade");
+            player.settle();
+            player.before = () -> player.converter.offer(new Occurrence.Heard(
+                    new Event("typo"), Values.NONE, Source.CONTROLLER, Occurrence.ANY_VISIT, player.clock.nanoTime()));
+            player.press("stop");
+            player.settle();
+            assertThat(player.outcomes()).endsWith("typo IGNORED", "stop HANDLED");
+            assertThat(player.last().detail()).isEqualTo("stop; left Fading at half as loud");
+        }
+    }
+
+    @Test
+    void aStateThatIsLeftAndEnteredAgainShowsHowFarItsFunctionWas() {
+        try (Player player = new Player(visit -> visit.progress("half as loud"))) {
+            player.converter.evolve(Evolution.to(Player.knowledge(
+                    List.of("Fading"),
+                    visit -> visit.progress("half as loud"),
+                    "Playing fade -> Fading",
+                    "Fading fade -> Fading",
+                    "Fading count => Fading",
+                    "Fading faded -> Stopped",
+                    "Fading stop -> Stopped")));
+            player.press("play");
+            player.press("fade");
+            player.press("fade");
+            player.settle();
+            assertThat(player.last().detail()).isEqualTo("new function of Fading; left Fading at half as loud");
+
+            player.press("count");
+            player.settle();
+            assertThat(player.last().outcome()).isEqualTo(Outcome.HANDLED);
+            assertThat(player.last().detail()).as("an internal transition").isEmpty();
+        }
     }
 }

@@ -33,7 +33,7 @@ class GuardWatchTest {
         for (int next = 1; next <= ROUNDS; next++) {
             beginTogether(next);
             try {
-                watch.test(values -> true, Values.NONE);
+                watch.test(values -> true, Values.NONE, true);
             } catch (IllegalStateException hangs) {
                 refused.incrementAndGet();
             }

@@ -10,13 +10,17 @@ import java.util.List;
 import java.util.Set;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.OnFailure;
 import org.evoloop.evolution.Step;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.time.ManualClock;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** A lift goes to the fourth floor by plans of several steps, one of which fails. */
 class OnFailureTest {
@@ -170,6 +174,22 @@ class OnFailureTest {
     }
 
     @Test
+    void aLockDoesNotKeepTheDeviceFromGoingBack() throws Exception {
+        build(OnFailure.GO_BACK, "F2 express");
+        converter.exchange("EventAnalyze", new EventAnalyze("Lock") {
+            @Override
+            protected @Nullable Analysis analyze(Occurrence occurrence) {
+                return sent.isEmpty() ? super.analyze(occurrence) : refuse(occurrence, "the lift moves");
+            }
+        });
+        HistoryEntry top = press("top");
+        assertThat(states()).isEqualTo("(F0, F0)");
+        assertThat(top.outcome()).hasToString("FAILED");
+        assertThat(reason(top)).contains("stuck at F2; the device goes back to F0");
+        assertThat(press("up").detail()).isEqualTo("the lift moves");
+    }
+
+    @Test
     void whatFailsOnTheWayBackStaysThere() throws Exception {
         build(OnFailure.GO_BACK, "F2 express", "F1 down");
         HistoryEntry top = press("top");
@@ -186,6 +206,24 @@ class OnFailureTest {
         assertThat(states()).isEqualTo("(F4, F4)");
         assertThat(top.outcome()).hasToString("HANDLED");
         assertThat(converter.history()).hasSize(1);
+    }
+
+    @ParameterizedTest
+    @EnumSource(OnFailure.class)
+    void aShadowOfTheSameModelsFailsInTheSameSteps(OnFailure then) throws Exception {
+        build(then, "F2 express", "F3 up");
+        Shadow shadow = converter.shadow(Evolution.to(new Floors() {
+            @Override
+            void more() {
+                onFailure(then);
+            }
+        }));
+        press("top");
+        broken.clear();
+        press("top");
+        assertThat(shadow.report().differences()).isEmpty();
+        assertThat(shadow.report().at()).hasToString(states());
+        assertThat(shadow.report().events()).isEqualTo(2);
     }
 
     @Test

@@ -2,14 +2,21 @@ package org.evoloop.converter;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.evoloop.Machines.machine;
 
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.Set;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Step;
 import org.evoloop.function.NewFunction;
 import org.evoloop.function.Visit;
+import org.evoloop.loop.LoopConfig;
 import org.evoloop.rehearsal.Difference;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -216,7 +223,11 @@ class ShadowTest {
                     }
                     : () -> {};
             switch (random.nextInt(5)) {
-                case 0 -> player.clock.advance(Duration.ofSeconds(random.nextInt(12)));
+                case 0 -> {
+                    player.clock.advance(Duration.ofSeconds(random.nextInt(12)));
+                    // A timer that waits for more than a second counts as one that only the shadow has.
+                    player.settle();
+                }
                 case 1 -> player.acts(events.get(random.nextInt(3)));
                 case 2 -> player.found();
                 default -> player.press(event);
@@ -229,5 +240,88 @@ class ShadowTest {
         assertThat(shadow.report().differences()).as("seed %d", seed).isEmpty();
         assertThat(shadow.report().at()).isEqualTo(player.states());
         assertThat(shadow.report().events()).isGreaterThan(200);
+    }
+
+    @Test
+    void aReportThatTheDeviceIsWhereItIsTakenToBeDelaysNothing() {
+        press("play", "fade");
+        Shadow shadow = begin(dozing());
+        player.found();
+        player.clock.advance(Duration.ofMillis(11_001));
+        assertThat(shadow.report().at()).hasToString("(Stopped, Stopped)");
+    }
+
+    @Test
+    void aDoubtThatTheSameModelsDoNotHaveIsNoDifference() {
+        press("play", "fade");
+        Shadow shadow = begin(Player.knowledge(
+                List.of("Fading"),
+                NewFunction.none(),
+                "Playing fade -> Fading",
+                "Fading faded -> Stopped",
+                "Fading stop -> Stopped"));
+        player.device.canBeAsked = true;
+        player.after = () -> {
+            player.after = () -> {};
+            // Whether this came first is unknown.
+            player.acts("play");
+        };
+        press("stop");
+        assertThat(player.outcomes()).contains("in doubt HANDLED", "found Playing HANDLED");
+        assertThat(shadow.report().differences()).isEmpty();
+        assertThat(shadow.report().at()).isEqualTo(player.states());
+    }
+
+    @Test
+    void aGuardOfTheDeviceHoldsForAFunctionThatAsks() throws InterruptedException {
+        StateMachine lamp =
+                machine("lamp", "Off press -> On", "On press -> Off", "On dim [dark] -> Low", "Low press -> Off");
+        String[] lines = {
+            "Off press -> On",
+            "On press -> Off",
+            "On dim [dark] -> Low",
+            "Low press -> Off",
+            "On wait -> Wait",
+            "Wait press -> Off"
+        };
+        PushMonitor button = new PushMonitor("Button");
+        try (SystemEventConverter converter = new SystemEventConverter(
+                LoopConfig.defaults("lamp", new ManualClock()).withoutThreads())) {
+            converter.addMonitor(button);
+            converter.addExecute(new EventExecute("Bulb") {
+                @Override
+                protected Set<String> sendableEvents() {
+                    return Set.of("press", "dim");
+                }
+
+                @Override
+                protected void send(Step step) {}
+            });
+            converter.addKnowledge(new Dimming(new ModelPair(lamp, machine("new", lines))));
+            converter.build();
+            converter.start();
+            Shadow shadow = converter.shadow(Evolution.to(new Dimming(new ModelPair(lamp, machine("next", lines)))));
+            button.press("press");
+            button.press("wait");
+            converter.observe(button);
+            converter.observe(button);
+            while (converter.step()) {
+                // One after the other.
+            }
+            assertThat(converter.knowledge().configuration()).hasToString("(Low, Wait)");
+            assertThat(shadow.report()).hasToString("'next': 3 events, 0 of them decided differently");
+        }
+    }
+
+    private static final class Dimming extends StateKnowledge {
+        Dimming(ModelPair models) {
+            super(models);
+        }
+
+        @Override
+        protected void registerNewFunctions() {
+            guard("dark", () -> true);
+            function("Wait", visit -> visit.send("dim"));
+        }
     }
 }

@@ -1,16 +1,11 @@
 package org.evoloop.testkit;
 
 import org.evoloop.converter.PushMonitor;
-import org.evoloop.evolution.Values;
 
 /** Reports the events that a test gives it. */
 final class TestMonitor extends PushMonitor {
     TestMonitor() {
         super("Test");
-    }
-
-    void pressed(String event, Values values) {
-        push(fromController(event, values));
     }
 
     void pressedOnDevice(String event, boolean deviceActed) {

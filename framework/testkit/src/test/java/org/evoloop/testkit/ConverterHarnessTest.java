@@ -88,7 +88,15 @@ class ConverterHarnessTest {
         assertThatThrownBy(() -> lamp.press("swich")).isInstanceOf(IllegalArgumentException.class);
         assertThatThrownBy(() -> lamp.press("swich", Values.NONE))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("neither model knows swich; did you mean switch?");
+                .hasMessage("unknown event swich; did you mean switch?");
+    }
+
+    @Test
+    void aStoppedConverterRefusesAnEventWithValuesToo() {
+        lamp.converter().stop();
+        assertThatThrownBy(() -> lamp.press("switch", Values.of("brightness", 1)))
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessageContaining("is stopped");
     }
 
     @Test
