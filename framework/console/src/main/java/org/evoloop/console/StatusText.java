@@ -8,6 +8,7 @@ import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.evoloop.converter.ConverterStatus;
@@ -19,6 +20,8 @@ import org.evoloop.loop.LoopState;
 
 /** The status of a converter, for people. */
 final class StatusText {
+    private static final Pattern CONTROL = Pattern.compile("[\\p{Cc}&&[^\t]]");
+
     private static final DateTimeFormatter TIME_OF_DAY = DateTimeFormatter.ofPattern("HH:mm:ss.SSS", Locale.ROOT);
 
     private static final DateTimeFormatter SECOND = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm:ss", Locale.ROOT);
@@ -160,8 +163,16 @@ final class StatusText {
         return count == 0 ? "" : before + count + (count == 1 ? " failure: " : " failures, the last: ") + last;
     }
 
+    /**
+     * {@code text} with {@code ?} for each control character but tabs: what functions and devices say may contain some
+     * that look like another line or change the terminal.
+     */
+    private static String inOneLine(String text) {
+        return CONTROL.matcher(text).replaceAll("?");
+    }
+
     private static void line(PrintStream out, String label, String text) {
-        out.println(String.format(Locale.ROOT, "%-12s%s", label, text));
+        out.println(String.format(Locale.ROOT, "%-12s%s", label, inOneLine(text)));
     }
 
     private static String conversionTime(ConversionTime time) {
@@ -208,9 +219,10 @@ final class StatusText {
             String change = entry.before().equals(entry.after())
                     ? "in " + entry.before()
                     : entry.before() + " -> " + entry.after();
-            out.println(entry.number() + "  " + TIME_OF_DAY.format(entry.at().atZone(ZoneId.systemDefault())) + "  "
-                    + entry.occurrence() + "  " + change + "  " + lowerCase(entry.outcome())
-                    + (entry.detail().isEmpty() ? "" : ": " + entry.detail()));
+            out.println(inOneLine(
+                    entry.number() + "  " + TIME_OF_DAY.format(entry.at().atZone(ZoneId.systemDefault())) + "  "
+                            + entry.occurrence() + "  " + change + "  " + lowerCase(entry.outcome())
+                            + (entry.detail().isEmpty() ? "" : ": " + entry.detail())));
         }
     }
 }

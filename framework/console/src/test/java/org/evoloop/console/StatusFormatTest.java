@@ -2,16 +2,23 @@ package org.evoloop.console;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import org.evoloop.converter.ConverterStatus;
+import org.evoloop.converter.HistoryEntry;
+import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Source;
+import org.evoloop.evolution.Values;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.Component;
 import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.LoopState;
 import org.evoloop.loop.QueueStatus;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.junit.jupiter.api.Test;
 
@@ -135,6 +142,40 @@ class StatusFormatTest {
         assertThat(out.lines().get(1))
                 .matches("states {6}original On, new Move; last known, since 2026-11-2\\d \\d\\d:\\d\\d:05");
         assertThat(StatusJson.of(stopped)).contains("\"lastKnownSince\":\"2026-11-22T15:04:05.123Z\"");
+    }
+
+    @Test
+    void whatAFunctionSaysStaysInItsLine() {
+        Captured out = new Captured();
+        ConverterStatus odd = new ConverterStatus(
+                BUSY.name(),
+                LoopState.RUNNING,
+                BUSY.states(),
+                "",
+                "",
+                "",
+                Optional.empty(),
+                BUSY.queue(),
+                BUSY.events(),
+                BUSY.conversionTime(),
+                List.of(),
+                new ConverterStatus.RunningFunction("Move", "", "half\nstates      forged\u001b[2J", List.of()),
+                List.of(),
+                null);
+        Configuration at = BUSY.states();
+        Occurrence event = new Occurrence.Heard(new Event("Spot"), Values.of("note", "a\nb"), Source.CONTROLLER, 0, 0);
+
+        StatusText.brief(odd, out.stream);
+        StatusText.history(
+                List.of(new HistoryEntry(
+                        1, Instant.EPOCH, event, at, at, Outcome.FAILED, "500\r\nno", null, Duration.ZERO)),
+                out.stream);
+
+        assertThat(out.lines())
+                .contains("now         Move: half?states      forged?[2J")
+                .last()
+                .asString()
+                .endsWith("  Spot (controller, note=a?b)  in (On, Move)  failed: 500??no");
     }
 
     @Test

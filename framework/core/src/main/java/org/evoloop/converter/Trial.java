@@ -107,6 +107,10 @@ final class Trial implements ConverterListener {
         if (entry.occurrence() instanceof Occurrence.Violated violated) {
             return "'" + violated.property() + "' is violated";
         }
+        if (entry.occurrence() instanceof Occurrence.InDoubt doubt && doubt.observedNanos() - begunNanos >= 0) {
+            // It may have been settled before this was told of it.
+            return inDoubt(doubt.why());
+        }
         if (entry.outcome() == Outcome.FAILED) {
             return entry.occurrence().label() + " failed: " + entry.detail();
         }
@@ -125,8 +129,12 @@ final class Trial implements ConverterListener {
     public void doubted(String why) {
         // A doubt reported late may have been settled before the trial began.
         if (!why.isEmpty() && !over && !shell.driver.doubt().isEmpty()) {
-            fail("the record is in doubt: " + why);
+            fail(inDoubt(why));
         }
+    }
+
+    private static String inDoubt(String why) {
+        return "the record is in doubt: " + why;
     }
 
     private void fail(String why) {

@@ -308,6 +308,28 @@ class EvolutionTest {
     }
 
     @Test
+    void aRecordThatWasInDoubtOnProbationRollsBackHoweverSoonItIsCertainAgain() {
+        player.acts("play");
+        player.settle();
+        player.converter.addListener(new ConverterListener() {
+            @Override
+            public void doubted(String why) {
+                player.found();
+            }
+        });
+        player.converter.evolve(
+                Evolution.to(Player.dozing(NewFunction.none())).withProbation(Probation.of(Duration.ofMinutes(1))));
+        player.before = () -> {
+            player.before = () -> {};
+            player.acts("play");
+        };
+        player.press("stop");
+        player.settle();
+        assertThat(player.outcomes()).contains("in doubt HANDLED").doesNotContain("stop FAILED");
+        assertThat(player.converter.knowledge().models()).isEqualTo(Player.MODELS);
+    }
+
+    @Test
     void aRollbackThatIsNotPossibleInTimeIsGivenUp() {
         player.converter.evolve(
                 Evolution.to(Player.dozing(NewFunction.none())).withProbation(Probation.of(Duration.ofMinutes(1))));
