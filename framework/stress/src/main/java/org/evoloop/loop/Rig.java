@@ -64,16 +64,21 @@ final class Rig implements LoopListener<Object> {
 
     /** Gives the component up as the watchdog for late components does; does nothing if none is at work. */
     void giveUp() {
+        giveUp(stage);
+    }
+
+    /** Gives {@code late} up if it is at work. */
+    void giveUp(StageWorker<?> late) {
         Failure<Object> failure = null;
         lock.acquire();
         try {
-            if (sequencer.busy() == stage) {
-                failure = sequencer.giveUp(stage, "was late");
+            if (sequencer.busy() == late) {
+                failure = sequencer.giveUp(late, "was late");
             }
         } finally {
             lock.release();
         }
-        sequencer.proceedAfter(stage, failure);
+        sequencer.proceedAfter(late, failure);
     }
 
     /** The current carrier thread. */
