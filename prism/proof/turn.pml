@@ -388,8 +388,11 @@ inline changed() { ask_where() }
 #define KEEPS_TIMER(f) (((f) >> 6) & 1)
 #define KEEPS_FUNCTION(f) (((f) >> 7) & 1)
 
+/* Only a question to the device comes before an event that waits to be decided again. */
+#define RETRY_WAITS (line[0].attempts > 0 || line[1].attempts > 0)
+
 /* Whether other models can take over; see Core.hindrance. */
-#define UNHINDERED (!busy && !(waiting > 0 && line[0].attempts > 0) && doubt != UNSETTLED && POSSIBLE(FATE))
+#define UNHINDERED (!busy && !RETRY_WAITS && doubt != UNSETTLED && POSSIBLE(FATE))
 
 inline evolved() {
   if

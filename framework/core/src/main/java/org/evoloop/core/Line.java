@@ -149,6 +149,16 @@ final class Line {
         return first != null && first.attempts() > 0;
     }
 
+    /** Whether any was begun before, and overtaken. */
+    boolean holdsRetry() {
+        for (Pending pending : waiting) {
+            if (pending.attempts() > 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** Whether any fact waits. */
     boolean holdsFacts() {
         for (Pending pending : waiting) {

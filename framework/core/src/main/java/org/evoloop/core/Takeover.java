@@ -41,7 +41,7 @@ final class Takeover {
         if (ledger.progress.isInterrupted()) {
             return "the plan for " + ledger.progress.pending().occurrence().label()
                     + " was interrupted; it goes on when the converter is started";
-        } else if (!ledger.progress.isIdle() || ledger.line.isRetryNext()) {
+        } else if (!ledger.progress.isIdle() || ledger.line.holdsRetry()) {
             return "an event is in progress";
         }
         return doubt == null ? "" : "the device's state is in doubt: " + doubt.why();

@@ -370,11 +370,7 @@ class EvolutionTest {
         assertThat(fadings).singleElement().extracting(Visit::values).isEqualTo(Values.of("volume", 7));
     }
 
-    /**
-     * Fails: docs/evolution.md says that other models take over when "no event waits to be decided again". Here the
-     * overtaken event waits behind the question to the device, so Line.isRetryNext, which looks at the first only, does
-     * not see it; and the report that settles the doubt removes the other obstacle while the question still waits.
-     */
+    /** It waits behind the question to the device, which has reported meanwhile where it is. */
     @Test
     void anOvertakenEventThatWaitsBehindASettledDoubtKeepsOtherModelsFromTakingOver() {
         playAndFade();
