@@ -60,7 +60,7 @@ final class Carrier {
         for (Output.Directive next = agenda.poll(); next != null; next = agenda.poll()) {
             if (next instanceof Output.Send send) {
                 if (!senders.canSend(send.step(), execute)) {
-                    senders.handBack(plan, agenda, next);
+                    senders.handBack(plan, agenda);
                     return;
                 }
                 send(number, send.step(), plan.occurrence().values(), execute);
@@ -68,7 +68,7 @@ final class Carrier {
                 run(number, run.effect(), plan.occurrence(), execute);
             } else if (next instanceof Output.Locate) {
                 if (!locate(number, execute)) {
-                    senders.handBack(plan, agenda, next);
+                    senders.handBack(plan, agenda);
                     return;
                 }
             } else if (next instanceof Output.Settle settle) {
@@ -79,7 +79,7 @@ final class Carrier {
                     if (notSettled != null) {
                         reports.failed(execute, "settled", notSettled);
                     }
-                    senders.handBack(plan, agenda, next);
+                    senders.handBack(plan, agenda);
                     return;
                 }
             } else {

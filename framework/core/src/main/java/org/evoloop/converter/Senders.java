@@ -116,9 +116,9 @@ final class Senders implements Dispatch<ChangePlan> {
 
     // For the component that has the turn
 
-    /** Leaves a directive of {@code plan} for another component. */
-    void handBack(ChangePlan plan, Agenda agenda, Output.Directive directive) {
-        agenda.handBack(directive);
+    /** Leaves the directive of {@code plan} that was taken last for another component. */
+    void handBack(ChangePlan plan, Agenda agenda) {
+        agenda.handBack();
         shared = plan.occurrence();
     }
 
