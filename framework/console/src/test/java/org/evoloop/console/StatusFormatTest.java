@@ -20,6 +20,7 @@ import org.evoloop.loop.LoopState;
 import org.evoloop.loop.QueueStatus;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
 /** The status of a busy converter that has everything. */
@@ -144,10 +145,9 @@ class StatusFormatTest {
         assertThat(StatusJson.of(stopped)).contains("\"lastKnownSince\":\"2026-11-22T15:04:05.123Z\"");
     }
 
-    @Test
-    void whatAFunctionSaysStaysInItsLine() {
-        Captured out = new Captured();
-        ConverterStatus odd = new ConverterStatus(
+    private static ConverterStatus running(
+            ConverterStatus.RunningFunction function, ConverterStatus.@Nullable LinkStatus link) {
+        return new ConverterStatus(
                 BUSY.name(),
                 LoopState.RUNNING,
                 BUSY.states(),
@@ -159,9 +159,16 @@ class StatusFormatTest {
                 BUSY.events(),
                 BUSY.conversionTime(),
                 List.of(),
-                new ConverterStatus.RunningFunction("Move", "", "half\nstates      forged\u001b[2J", List.of()),
+                function,
                 List.of(),
-                null);
+                link);
+    }
+
+    @Test
+    void whatAFunctionSaysStaysInItsLine() {
+        Captured out = new Captured();
+        ConverterStatus odd = running(
+                new ConverterStatus.RunningFunction("Move", "", "half\nstates      forged\u001b[2J", List.of()), null);
         Configuration at = BUSY.states();
         Occurrence event = new Occurrence.Heard(new Event("Spot"), Values.of("note", "a\nb"), Source.CONTROLLER, 0, 0);
 
@@ -181,20 +188,8 @@ class StatusFormatTest {
     @Test
     void readingsOfADeviceThatIsGoneAreNotShown() {
         Captured out = new Captured();
-        ConverterStatus gone = new ConverterStatus(
-                BUSY.name(),
-                LoopState.RUNNING,
-                BUSY.states(),
-                "",
-                "",
-                "",
-                Optional.empty(),
-                BUSY.queue(),
-                BUSY.events(),
-                BUSY.conversionTime(),
-                List.of(),
+        ConverterStatus gone = running(
                 ConverterStatus.RunningFunction.NONE,
-                List.of(),
                 new ConverterStatus.LinkStatus(false, "no cable", BUSY.link().readings()));
 
         StatusText.brief(gone, out.stream);

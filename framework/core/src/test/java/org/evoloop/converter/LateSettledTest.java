@@ -8,12 +8,10 @@ import static org.evoloop.converter.LiveRobot.until;
 import static org.evoloop.converter.Robot.at;
 
 import java.util.List;
-import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Configuration;
-import org.evoloop.evolution.Step;
 import org.evoloop.function.NewFunction;
 import org.evoloop.function.Visit;
 import org.evoloop.loop.ComponentStatus.Activity;
@@ -42,21 +40,10 @@ class LateSettledTest {
         void at(String name, Configuration now) throws InterruptedException;
     }
 
-    private final class Half extends EventExecute {
-        private final String event;
-
+    private final class Half extends Part {
         Half(String name, String event) {
-            super(name);
-            this.event = event;
+            super(name, event);
         }
-
-        @Override
-        protected Set<String> sendableEvents() {
-            return Set.of(event);
-        }
-
-        @Override
-        protected void send(Step step) {}
 
         @Override
         protected void settled(Configuration now) throws InterruptedException {

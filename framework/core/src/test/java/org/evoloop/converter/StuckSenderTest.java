@@ -8,7 +8,6 @@ import static org.evoloop.converter.Robot.at;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import org.evoloop.core.Outcome;
@@ -33,17 +32,9 @@ class StuckSenderTest {
         this.threading = threading;
     }
 
-    private final class Part extends EventExecute {
-        private final String event;
-
-        Part(String name, String event) {
-            super(name);
-            this.event = event;
-        }
-
-        @Override
-        protected Set<String> sendableEvents() {
-            return Set.of(event);
+    private final class Half extends Part {
+        Half(String name, String event) {
+            super(name, event);
         }
 
         @Override
@@ -68,8 +59,8 @@ class StuckSenderTest {
     @Test
     void theOtherIsAskedWhereTheDeviceIsAndCarriesOutTheRest() throws InterruptedException {
         try (LiveRobot robot = new LiveRobot(threading, NewFunction.none(), 8, made -> {
-            made.converter.addExecute(new Part("Cleaner", "Clean"));
-            made.converter.addExecute(new Part("Spotter", "Spot"));
+            made.converter.addExecute(new Half("Cleaner", "Clean"));
+            made.converter.addExecute(new Half("Spotter", "Spot"));
         })) {
             robot.panel.press("Clean");
             await(hanging);
