@@ -34,6 +34,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(MapeLoop.class);
 
     private final LoopConfig config;
+    private final Pipeline<O, A, P> pipeline;
     private final Sequencer<O> sequencer;
     private final Gate<O> gate;
     private final Roster<O, A, P> roster;
@@ -59,7 +60,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
         }
         this.config = config;
         LoopLock lock = new LoopLock();
-        Pipeline<O, A, P> pipeline = new Pipeline<>(config.name(), dispatch);
+        this.pipeline = new Pipeline<>(config.name(), dispatch);
         this.sequencer = new Sequencer<>(config, listener, intake, pipeline, lock);
         this.gate = new Gate<>(config, sequencer, lock);
         this.roster = new Roster<>(config, pipeline, sequencer);
@@ -394,7 +395,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
 
     /** Whether {@code execute} was given up and has not returned; what is left to it fails. */
     public boolean isStuck(Execute<P> execute) {
-        return roster.isStuck(execute);
+        return pipeline.isStuck(execute);
     }
 
     /** The state of the loop's lifecycle. */

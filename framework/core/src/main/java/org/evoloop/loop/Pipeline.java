@@ -72,15 +72,24 @@ final class Pipeline<O, A, P> {
     private @Nullable StageWorker<P> dispatch(StageWorker<?> by, @Nullable P planned, @Nullable Execute<P> last) {
         // One that was given up must not ask: the dispatch may be at work for the next occurrence.
         Execute<P> next = planned == null || !by.isWorking() ? null : dispatch.next(planned, executeOrder, last);
+        return by.handOn(planned, workerOf(next));
+    }
+
+    private @Nullable StageWorker<P> workerOf(@Nullable Execute<P> execute) {
         List<StageWorker<P>> candidates = executes;
-        StageWorker<P> worker = null;
         // By index: an iterator would be garbage in every cycle.
         for (int index = 0; index < candidates.size(); index++) {
-            if (candidates.get(index).component() == next) {
-                worker = candidates.get(index);
+            if (candidates.get(index).component() == execute) {
+                return candidates.get(index);
             }
         }
-        return by.handOn(planned, worker);
+        return null;
+    }
+
+    /** Whether {@code execute} was given up and has not returned. */
+    boolean isStuck(Execute<P> execute) {
+        StageWorker<P> worker = workerOf(execute);
+        return worker != null && worker.isStuck();
     }
 
     /** Sets the components. */

@@ -159,15 +159,6 @@ final class Roster<O, A, P> {
         return null;
     }
 
-    boolean isStuck(Execute<P> execute) {
-        for (StageWorker<P> worker : executes) {
-            if (worker.component() == execute) {
-                return worker.isStuck();
-            }
-        }
-        return false;
-    }
-
     /** Every worker, in the order of the loop. */
     List<Worker> workers() {
         List<Worker> all = new ArrayList<>(monitors);
