@@ -96,7 +96,7 @@ final class Bindings implements Predicate<String> {
         return drawn;
     }
 
-    /** The guards that the original model draws for {@code event} and that hold now, see the other method. */
+    /** The guards that the original model draws for {@code event} and that hold now. One that throws does not hold. */
     Set<String> holding(Event event, Values values) {
         Set<String> drawn = ofDevice.getOrDefault(event, Set.of());
         return holding(drawn, drawn, values);

@@ -199,18 +199,18 @@ final class CoreOutputs implements Outputs {
             books.transcript().violated(violated);
         }
         books.transcript().ended(occurrence, after);
-        books.record(occurrence, before, after, outcome, decision, detail, left(occurrence));
+        books.record(occurrence, before, after, outcome, decision, detail, lastWords(occurrence));
         if (shadow != null) {
             shadow.ended(occurrence, before, after, outcome, decision, detail);
         }
     }
 
-    /** The progress of the function that {@code occurrence} has left; a stop leaves it, too. */
-    private String left(Occurrence occurrence) {
+    /** The progress of the function that {@code occurrence} has left; empty if it left none. A stop leaves it, too. */
+    private String lastWords(Occurrence occurrence) {
         return begun != null && isBegun(occurrence) && begun.number() == leavingNumber ? leaving : "";
     }
 
-    /** Others end at once, while it is in progress. */
+    /** Whether {@code occurrence} had its turn; others end at once, also while it is in progress. */
     private boolean isBegun(Occurrence occurrence) {
         return begun != null && begun.occurrence() == occurrence;
     }
