@@ -21,18 +21,13 @@ public class WholeWritesStress {
     private static final byte[] FIRST = twoPieces(1);
     private static final byte[] SECOND = twoPieces(2);
 
-    private final SerialWriter writer = new SerialWriter(this::take, new SerialSettings("stress"), () -> {}, "guard");
+    private final SerialWriter writer = new SerialWriter(new Port(), new SerialSettings("stress"), () -> {}, "guard");
     private String taken = "";
 
     private static byte[] twoPieces(int content) {
         byte[] bytes = new byte[1_025];
         Arrays.fill(bytes, (byte) content);
         return bytes;
-    }
-
-    private int take(byte[] bytes) {
-        taken += bytes[0];
-        return bytes.length;
     }
 
     @Actor
@@ -48,5 +43,18 @@ public class WholeWritesStress {
     @Arbiter
     public void afterwards(L_Result result) {
         result.r1 = taken;
+    }
+
+    private final class Port implements SerialWriter.Port {
+        @Override
+        public int write(byte[] bytes) {
+            taken += bytes[0];
+            return bytes.length;
+        }
+
+        @Override
+        public int waiting() {
+            return 0;
+        }
     }
 }

@@ -22,17 +22,9 @@ public class WriteOrEndStress {
     private static final int LOOKS = 200;
     private static final long LIMIT_NANOS = 1_000_000_000;
 
-    private final SerialWriter writer = new SerialWriter(this::take, new SerialSettings("stress"), () -> {}, "guard");
+    private final SerialWriter writer = new SerialWriter(new Port(), new SerialSettings("stress"), () -> {}, "guard");
     private volatile boolean closed;
     private boolean touched;
-
-    private int take(byte[] bytes) {
-        // Takes about as long as a short write.
-        for (int look = 0; look < LOOKS; look++) {
-            touched |= closed;
-        }
-        return bytes.length;
-    }
 
     @Actor
     public void writer(ZZ_Result result) {
@@ -43,5 +35,21 @@ public class WriteOrEndStress {
     @Actor
     public void end() {
         closed = writer.end(LIMIT_NANOS);
+    }
+
+    private final class Port implements SerialWriter.Port {
+        @Override
+        public int write(byte[] bytes) {
+            // Takes about as long as a short write.
+            for (int look = 0; look < LOOKS; look++) {
+                touched |= closed;
+            }
+            return bytes.length;
+        }
+
+        @Override
+        public int waiting() {
+            return 0;
+        }
     }
 }
