@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import org.evoloop.config.Options;
+import org.evoloop.console.TerminationSignals;
 import org.evoloop.converter.EdgeShell;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.mqtt.BrokerAddress;
@@ -108,12 +109,6 @@ final class EdgeCommand implements Callable<Integer> {
                     clock,
                     SessionOptions.defaults());
             EdgeShell shell = shell(config, session, read, edge);
-            Runnable end = () -> {
-                edge.close();
-                shell.close();
-                session.close();
-                clock.close();
-            };
             try {
                 // The models come first: if they are wrong, no robot is touched.
                 shell.open();
@@ -124,12 +119,17 @@ final class EdgeCommand implements Callable<Integer> {
                 session.awaitRobot();
                 RoombaConverter.greeting(read).forEach(session::send);
                 edge.open(shell);
-                Runtime.getRuntime().addShutdownHook(new Thread(end, "edge-end"));
-            } catch (RuntimeException | InterruptedException failure) {
-                end.run();
-                throw failure;
+                CountDownLatch ended = new CountDownLatch(1);
+                TerminationSignals signals = new TerminationSignals(signal -> ended.countDown());
+                ended.await();
+                // A second signal ends it at once.
+                signals.restore();
+            } finally {
+                edge.close();
+                shell.close();
+                session.close();
+                clock.close();
             }
-            new CountDownLatch(1).await();
         }
     }
 
