@@ -7,6 +7,7 @@ import java.util.Set;
 import org.evoloop.evolution.BrokenPlan;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.OnFailure;
 import org.evoloop.evolution.Step;
@@ -95,8 +96,12 @@ abstract sealed class Conversion extends Arrivals permits Core {
         boolean sure = true;
         if (!meanwhile.isEmpty()) {
             // As reported, the step came last.
-            target = Overlap.takes(ledger.rules.table(), ledger.place.at().original(), step);
-            sure = inOrder || Overlap.alwaysEndsIn(target, ledger.rules.table(), step, meanwhile);
+            DecisionTable table = ledger.rules.table();
+            State from = ledger.place.at().original();
+            target = Overlap.takes(table, from, step);
+            sure = inOrder
+                    ? !Overlap.isGuarded(table, from, step)
+                    : Overlap.alwaysEndsIn(target, table, step, meanwhile);
         }
         ledger.place.took(target, atNanos, ledger.out);
         ledger.out.took(step);
@@ -107,7 +112,9 @@ abstract sealed class Conversion extends Arrivals permits Core {
             proceed();
         }
         if (!sure) {
-            String why = "it is unknown whether the device acted before or after it took " + step.trigger();
+            String why = inOrder
+                    ? "it is unknown what the device did on " + step.trigger() + ", since that is up to its guards"
+                    : "it is unknown whether the device acted before or after it took " + step.trigger();
             ledger.doubt(why, number, step, meanwhile);
         }
     }
@@ -141,7 +148,9 @@ abstract sealed class Conversion extends Arrivals permits Core {
     }
 
     private boolean isOrderKnown(boolean inOrder, Doubt doubt, State target) {
-        if (inOrder) {
+        if (inOrder && Overlap.isGuarded(ledger.rules.table(), ledger.place.at().original(), doubt.step())) {
+            return false;
+        } else if (inOrder) {
             return doubt.settled() || doubt.stepsBefore() == ledger.place.steps();
         }
         return doubt.stepsBefore() == ledger.place.steps()
