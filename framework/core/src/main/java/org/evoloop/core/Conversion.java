@@ -207,7 +207,7 @@ abstract sealed class Conversion extends Arrivals permits Core {
     private void again(String why) {
         Pending next = progress.pending().again();
         if (next.attempts() > MOST_ATTEMPTS || (!ledger.open && !next.hasHappened())) {
-            conclude(next.number(), Outcome.FAILED, "overtaken: " + why);
+            conclude(next.number(), Outcome.FAILED, afterBroken(next, "overtaken: " + why));
         } else {
             retry(next, why);
         }
@@ -227,13 +227,18 @@ abstract sealed class Conversion extends Arrivals permits Core {
             return;
         }
         Pending pending = progress.pending();
-        BrokenPlan before = pending.broken();
         BrokenPlan broken = broken(pending, reason);
         if (broken != null) {
             retry(pending.after(broken), reason);
         } else {
-            breakOff(number, before == null ? reason : before.reason() + "; then " + reason);
+            breakOff(number, afterBroken(pending, reason));
         }
+    }
+
+    /** What failed before, if a plan for it did, and {@code reason}. */
+    private static String afterBroken(Pending pending, String reason) {
+        BrokenPlan before = pending.broken();
+        return before == null ? reason : before.reason() + "; then " + reason;
     }
 
     /** The broken plan to recover from; null if there is nothing to do. */
@@ -327,9 +332,12 @@ abstract sealed class Conversion extends Arrivals permits Core {
     }
 
     private void giveUp(long number, String reason) {
+        if (!progress.isOf(number)) {
+            return;
+        }
         Step step = stepOnItsWay(number);
         List<Occurrence> meanwhile = progress.meanwhile();
-        breakOff(number, reason);
+        breakOff(number, afterBroken(progress.pending(), reason));
         if (step != null) {
             String why = "it is unknown whether " + step.trigger() + " had its effect: " + reason;
             ledger.doubt(why, number, step, meanwhile);
