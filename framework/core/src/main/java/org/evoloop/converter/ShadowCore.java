@@ -50,8 +50,7 @@ final class ShadowCore {
         this.core = core;
         this.clock = clock;
         this.since = clock.wallTime();
-        this.running =
-                new Chronicle(core.snapshot().visit().number(), ending -> comparison.ended(ending, clock.nanoTime()));
+        this.running = new Chronicle(core.snapshot().visit().number(), this::ended);
         Core placed = new Core(core.rules(), core.snapshot(), output -> {});
         placed.evolved(swap, clock.nanoTime());
         this.watch = watches.begin(swap.rules().table(), placed.snapshot().at());
@@ -65,8 +64,24 @@ final class ShadowCore {
 
     /** Takes an event. One of the device's own has already moved the record. */
     void observed(Occurrence occurrence) {
-        boolean current = occurrence.visit() == running.visit();
-        comparison.observed(occurrence, current ? core.at().evolved() : null, clock.nanoTime());
+        if (!isRefused(occurrence)) {
+            boolean current = occurrence.visit() == running.visit();
+            comparison.observed(occurrence, current ? core.at().evolved() : null, clock.nanoTime());
+        }
+    }
+
+    private void ended(Ending ending) {
+        if (!isRefused(ending.ended().occurrence())) {
+            comparison.ended(ending, clock.nanoTime());
+        }
+    }
+
+    /** Whether the running models have no such event, or the device no such state: it has ended before it comes here. */
+    private boolean isRefused(Occurrence occurrence) {
+        return occurrence instanceof Occurrence.Heard heard
+                ? !core.rules().table().names().knows(heard.event())
+                : occurrence instanceof Occurrence.Found found
+                        && !core.rules().table().models().original().hasState(found.state());
     }
 
     /** The converter was opened or closed. */

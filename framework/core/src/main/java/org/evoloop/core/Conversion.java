@@ -7,6 +7,7 @@ import java.util.Set;
 import org.evoloop.evolution.BrokenPlan;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.OnFailure;
 import org.evoloop.evolution.Step;
@@ -95,8 +96,12 @@ abstract sealed class Conversion extends Arrivals permits Core {
         boolean sure = true;
         if (!meanwhile.isEmpty()) {
             // As reported, the step came last.
-            target = Overlap.takes(ledger.rules.table(), ledger.place.at().original(), step);
-            sure = inOrder || Overlap.alwaysEndsIn(target, ledger.rules.table(), step, meanwhile);
+            DecisionTable table = ledger.rules.table();
+            State from = ledger.place.at().original();
+            target = Overlap.takes(table, from, step);
+            sure = inOrder
+                    ? !Overlap.isGuarded(table, from, step)
+                    : Overlap.alwaysEndsIn(target, table, step, meanwhile);
         }
         ledger.place.took(target, atNanos, ledger.out);
         ledger.out.took(step);
@@ -107,7 +112,9 @@ abstract sealed class Conversion extends Arrivals permits Core {
             proceed();
         }
         if (!sure) {
-            String why = "it is unknown whether the device acted before or after it took " + step.trigger();
+            String why = inOrder
+                    ? "it is unknown what the device did on " + step.trigger() + ", since that is up to its guards"
+                    : "it is unknown whether the device acted before or after it took " + step.trigger();
             ledger.doubt(why, number, step, meanwhile);
         }
     }
@@ -141,7 +148,9 @@ abstract sealed class Conversion extends Arrivals permits Core {
     }
 
     private boolean isOrderKnown(boolean inOrder, Doubt doubt, State target) {
-        if (inOrder) {
+        if (inOrder && Overlap.isGuarded(ledger.rules.table(), ledger.place.at().original(), doubt.step())) {
+            return false;
+        } else if (inOrder) {
             return doubt.settled() || doubt.stepsBefore() == ledger.place.steps();
         }
         return doubt.stepsBefore() == ledger.place.steps()
@@ -198,7 +207,7 @@ abstract sealed class Conversion extends Arrivals permits Core {
     private void again(String why) {
         Pending next = progress.pending().again();
         if (next.attempts() > MOST_ATTEMPTS || (!ledger.open && !next.hasHappened())) {
-            conclude(next.number(), Outcome.FAILED, "overtaken: " + why);
+            conclude(next.number(), Outcome.FAILED, afterBroken(next, "overtaken: " + why));
         } else {
             retry(next, why);
         }
@@ -218,13 +227,18 @@ abstract sealed class Conversion extends Arrivals permits Core {
             return;
         }
         Pending pending = progress.pending();
-        BrokenPlan before = pending.broken();
         BrokenPlan broken = broken(pending, reason);
         if (broken != null) {
             retry(pending.after(broken), reason);
         } else {
-            breakOff(number, before == null ? reason : before.reason() + "; then " + reason);
+            breakOff(number, afterBroken(pending, reason));
         }
+    }
+
+    /** What failed before, if a plan for it did, and {@code reason}. */
+    private static String afterBroken(Pending pending, String reason) {
+        BrokenPlan before = pending.broken();
+        return before == null ? reason : before.reason() + "; then " + reason;
     }
 
     /** The broken plan to recover from; null if there is nothing to do. */
@@ -318,9 +332,12 @@ abstract sealed class Conversion extends Arrivals permits Core {
     }
 
     private void giveUp(long number, String reason) {
+        if (!progress.isOf(number)) {
+            return;
+        }
         Step step = stepOnItsWay(number);
         List<Occurrence> meanwhile = progress.meanwhile();
-        breakOff(number, reason);
+        breakOff(number, afterBroken(progress.pending(), reason));
         if (step != null) {
             String why = "it is unknown whether " + step.trigger() + " had its effect: " + reason;
             ledger.doubt(why, number, step, meanwhile);

@@ -36,6 +36,9 @@ final class Overlap {
     static boolean alwaysEndsIn(State end, DecisionTable table, Step step, List<Occurrence> meanwhile) {
         State before = step.source();
         for (int place = 0; place <= meanwhile.size(); place++) {
+            if (isGuarded(table, before, step)) {
+                return false;
+            }
             State state = takes(table, before, step);
             for (Occurrence fact : meanwhile.subList(place, meanwhile.size())) {
                 state = follows(table, state, fact);
@@ -50,7 +53,15 @@ final class Overlap {
         return meanwhile.size() < MOST;
     }
 
-    /** The state to which {@code step} takes the device from {@code from}. */
+    /**
+     * Whether guards decide where {@code step} takes the device from {@code from}. In another state than the step's
+     * source, nobody has evaluated them.
+     */
+    static boolean isGuarded(DecisionTable table, State from, Step step) {
+        return !from.equals(step.source()) && table.isGuarded(from, step.trigger());
+    }
+
+    /** The state to which {@code step} takes the device from {@code from}; if that is guarded, no guard holds. */
     static State takes(DecisionTable table, State from, Step step) {
         return from.equals(step.source())
                 ? step.target()

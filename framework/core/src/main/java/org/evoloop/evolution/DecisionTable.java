@@ -313,6 +313,11 @@ public final class DecisionTable {
         return taken == null ? null : new Step(taken, true, false);
     }
 
+    /** Whether guards decide what the device does on {@code trigger} in {@code at}. */
+    public boolean isGuarded(State at, Event trigger) {
+        return originalGuards.decideOn(at, trigger);
+    }
+
     /**
      * Adds the guards under which {@code trigger} comes: those of the new model, else, when the device may have taken
      * it by itself, those of the original model.

@@ -72,6 +72,12 @@ public final class GuardedTriggers {
         return null;
     }
 
+    /** Whether guards decide which transition {@code trigger} takes in {@code state}. */
+    boolean decideOn(State state, Event trigger) {
+        Map<Event, List<Transition>> byTrigger = guarded.get(state);
+        return byTrigger != null && byTrigger.containsKey(trigger);
+    }
+
     /**
      * The guards that decide whether {@code transition} is taken: its own, and those of the transitions tried before
      * it.

@@ -124,9 +124,13 @@ public final class Succession {
             State state, StateMachine old, StateMachine now, Map<State, State> mapped, @Nullable State device) {
         State plain = old.withoutMemory(state);
         State wanted = mapped.getOrDefault(state, mapped.get(plain));
-        List<State> candidates = now.alike(wanted == null ? state : wanted);
-        if (candidates.isEmpty()) {
-            candidates = now.alike(wanted == null ? plain : wanted);
+        if (wanted == null && now.hasState(state)) {
+            return state;
+        }
+        State named = wanted == null ? state : wanted;
+        List<State> candidates = now.alike(named);
+        if (candidates.isEmpty() && wanted == null) {
+            candidates = now.alike(plain);
         }
         if (candidates.isEmpty() && wanted == null) {
             List<String> drawn = old.paths(state);
@@ -134,12 +138,18 @@ public final class Succession {
                     .filter(other -> now.paths(other).equals(drawn))
                     .toList();
         }
+        if (candidates.contains(named) && (device == null || isReachable(device, named))) {
+            return named;
+        }
         for (State candidate : candidates) {
-            if (candidate.equals(state)
-                    || (device != null && next.configurations().contains(new Configuration(device, candidate)))) {
+            if (device != null && isReachable(device, candidate)) {
                 return candidate;
             }
         }
         return candidates.isEmpty() ? null : candidates.get(0);
+    }
+
+    private boolean isReachable(State device, State system) {
+        return next.configurations().contains(new Configuration(device, system));
     }
 }

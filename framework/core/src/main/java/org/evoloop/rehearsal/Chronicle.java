@@ -31,6 +31,12 @@ public class Chronicle implements Outputs {
     /** The steps of the occurrence in progress that have failed, if it continues; null if none has. */
     private @Nullable BrokenPlan broken;
 
+    /** The occurrence in progress; null if there is none, or if it began before this did. */
+    private @Nullable Occurrence begun;
+
+    /** Whether nothing has been decided about it. */
+    private boolean undecided;
+
     private long visit;
 
     /**
@@ -48,6 +54,8 @@ public class Chronicle implements Outputs {
         if (output instanceof Output.Begin begin) {
             sent = new ArrayList<>();
             took = 0;
+            undecided = true;
+            begun = begin.pending().occurrence();
             broken = begin.pending().broken();
             guards = broken == null ? Set.of() : guards;
         } else if (output instanceof Output.Send send) {
@@ -55,16 +63,14 @@ public class Chronicle implements Outputs {
         } else if (output instanceof Output.Took) {
             took++;
         } else if (output instanceof Output.Decided decided) {
+            undecided = false;
             guards = union(guards, guardsOf(decided.decision()));
         } else if (output instanceof Output.Enter enter) {
             visit = enter.visit();
         } else if (output instanceof Output.CarryOver carryOver) {
             visit = carryOver.visit();
         } else if (output instanceof Output.Ended ended) {
-            Output.Ended ofModels = ofModels(ended);
-            if (ofModels != null) {
-                end(ofModels);
-            }
+            end(ended);
         }
     }
 
@@ -102,12 +108,25 @@ public class Chronicle implements Outputs {
         return ended.occurrence() instanceof Occurrence.Violated ? null : ended;
     }
 
-    private void end(Output.Ended ended) {
-        Decision decision = ended.decision();
-        String why = decision == null ? ended.detail() : words(decision);
-        Verdict verdict = new Verdict(ended.before(), ended.after(), ended.outcome(), sent, why);
-        endings.accept(new Ending(ended, verdict, took, guards, broken));
-        sent = new ArrayList<>();
+    private void end(Output.Ended output) {
+        // An event that neither model knows ends at once, maybe while another is in progress.
+        boolean atOnce = begun != null && output.occurrence() != begun;
+        Output.Ended ended = ofModels(output);
+        if (ended != null) {
+            Decision decision = ended.decision();
+            String why = decision == null ? ended.detail() : words(decision);
+            List<String> steps = atOnce ? List.of() : sent;
+            Verdict verdict = new Verdict(ended.before(), ended.after(), ended.outcome(), steps, why);
+            endings.accept(
+                    atOnce
+                            ? new Ending(ended, verdict, 0, Set.of(), null, false)
+                            : new Ending(ended, verdict, took, guards, broken, undecided));
+        }
+        if (!atOnce) {
+            sent = new ArrayList<>();
+            begun = null;
+            undecided = false;
+        }
     }
 
     private static String words(Decision decision) {

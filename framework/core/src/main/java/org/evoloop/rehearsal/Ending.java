@@ -18,6 +18,7 @@ import org.jspecify.annotations.Nullable;
  * @param took how many steps of its last plan had had their effect
  * @param guards the guards that held for the decision
  * @param broken the plans for it that had failed before its last one; null if there was only one
+ * @param undecided whether it had its turn, but a component failed or dismissed it before the models decided
  * @since 0.1
  */
 public record Ending(
@@ -25,7 +26,8 @@ public record Ending(
         Verdict verdict,
         int took,
         Set<String> guards,
-        @Nullable BrokenPlan broken) {
+        @Nullable BrokenPlan broken,
+        boolean undecided) {
     public Ending {
         guards = Set.copyOf(guards);
     }

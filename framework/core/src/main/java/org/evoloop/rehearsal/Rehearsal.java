@@ -13,6 +13,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import org.evoloop.core.Core;
 import org.evoloop.core.Input;
+import org.evoloop.core.Outcome;
 import org.evoloop.core.Output;
 import org.evoloop.core.Pending;
 import org.evoloop.core.Reframed;
@@ -59,7 +60,12 @@ final class Rehearsal extends Chronicle {
         super(from.visit().number(), endings);
         this.then = then;
         this.timers.putAll(from.visit().deadlines());
-        this.core = new Core(rules, from, this);
+        this.core = new Core(roomier(rules), from, this);
+    }
+
+    /** An event that is in progress in the converter may still wait here, so there is a place for it. */
+    private static Rules roomier(Rules rules) {
+        return new Rules(rules.table(), rules.timers(), rules.queueCapacity() + 1);
     }
 
     @Override
@@ -278,12 +284,25 @@ final class Rehearsal extends Chronicle {
         }
     }
 
+    /** What a component did to the event before the models decided, or by a rule of its own, it does here, too. */
     private void plan(Pending pending, @Nullable Ending recorded, long atNanos) {
+        long number = pending.number();
+        if (recorded != null && recorded.ended().decision() instanceof Decision.Refused refused) {
+            core.planned(number, new Decision.Refused(core.at(), refused.reason()), atNanos);
+        } else if (recorded == null || !recorded.undecided()) {
+            core.planned(number, decision(pending, recorded), atNanos);
+        } else if (recorded.ended().outcome() == Outcome.FAILED) {
+            core.failed(number, recorded.ended().detail(), atNanos);
+        } else {
+            core.dismissed(number, atNanos);
+        }
+    }
+
+    private Decision decision(Pending pending, @Nullable Ending recorded) {
         Set<String> holding = new HashSet<>(recorded == null ? Set.of() : recorded.guards());
         if (pending.occurrence() instanceof Occurrence.Heard heard) {
             holding.addAll(heard.holding());
         }
-        Decision decision = core.rules().decide(core.at(), core.steps(), pending, holding::contains);
-        core.planned(pending.number(), decision, atNanos);
+        return core.rules().decide(core.at(), core.steps(), pending, holding::contains);
     }
 }

@@ -54,6 +54,7 @@ class OnFailureTest {
 
     private final List<String> sent = new ArrayList<>();
     private final Set<String> broken = new HashSet<>();
+    private final Set<String> unknown = new HashSet<>();
     private int begun;
     private SystemEventConverter converter;
     private final PushMonitor buttons = new PushMonitor("Buttons");
@@ -70,9 +71,12 @@ class OnFailureTest {
         }
 
         @Override
-        protected void send(Step step) {
+        protected void send(Step step) throws UnknownEffectException {
             if (broken.contains(step.source() + " " + step.trigger())) {
                 throw new IllegalStateException("stuck at " + step.source());
+            }
+            if (unknown.contains(step.source() + " " + step.trigger())) {
+                throw new UnknownEffectException("no answer");
             }
             sent.add(step.trigger().name());
         }
@@ -196,6 +200,20 @@ class OnFailureTest {
         assertThat(sent).containsExactly("up", "up", "down");
         assertThat(states()).isEqualTo("(F1, F0)");
         assertThat(top.detail()).contains("stuck at F2").contains("; then ").contains("stuck at F1");
+    }
+
+    @Test
+    void whyTheWayBackWasTakenIsToldIfItsEffectIsUnknown() throws Exception {
+        unknown.add("F1 down");
+        build(OnFailure.GO_BACK, "F2 express");
+        press("top");
+        assertThat(converter.history())
+                .filteredOn(entry -> entry.occurrence().label().equals("top"))
+                .singleElement()
+                .satisfies(top -> assertThat(top.detail())
+                        .contains("stuck at F2")
+                        .contains("; then ")
+                        .contains("no answer"));
     }
 
     @Test

@@ -10,13 +10,16 @@ import java.util.List;
 import java.util.Random;
 import java.util.Set;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 import org.evoloop.function.NewFunction;
 import org.evoloop.function.Visit;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.rehearsal.Difference;
+import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.ManualClock;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -240,6 +243,78 @@ class ShadowTest {
         assertThat(shadow.report().differences()).as("seed %d", seed).isEmpty();
         assertThat(shadow.report().at()).isEqualTo(player.states());
         assertThat(shadow.report().events()).isGreaterThan(200);
+    }
+
+    @Test
+    void whatNoneOfTheRunningModelsHasIsNoDifference() {
+        Shadow shadow = begin(dozing());
+        player.acts("eject");
+        player.state = new State("Broken");
+        player.found();
+        player.state = new State("Stopped");
+
+        assertThat(player.outcomes()).containsExactly("eject IGNORED", "found Broken FAILED");
+        assertThat(shadow.report()).hasToString("'next': 0 events, 0 of them decided differently");
+    }
+
+    /** It ends at once, and must not be taken for the event in progress. */
+    @Test
+    void whatComesWhileAnotherEventIsInProgressHasSentNothing() {
+        Shadow shadow = begin(dozing());
+        player.before = () -> player.acts("eject");
+        press("play");
+
+        assertThat(player.outcomes()).containsExactly("eject IGNORED", "play HANDLED");
+        assertThat(shadow.report()).hasToString("'next': 1 event, 0 of them decided differently");
+    }
+
+    @Test
+    void theShadowLosesNothingThatTheQueueHasRoomFor() {
+        Shadow shadow = begin(dozing());
+        player.before = () -> {
+            player.before = () -> {};
+            for (int waiting = 0; waiting < 4; waiting++) {
+                player.press("pause");
+                player.press("play");
+            }
+        };
+        press("play");
+
+        assertThat(player.converter.status().queue().dropped()).isZero();
+        assertThat(shadow.report()).hasToString("'next': 9 events, 0 of them decided differently");
+    }
+
+    @Test
+    void whatAComponentRefusesOrFailsOnItRefusesOrFailsOnForAllModels() throws InterruptedException {
+        Shadow shadow = begin(dozing());
+        List<EventAnalyze> locks = List.of(
+                new EventAnalyze("Lock") {
+                    @Override
+                    protected @Nullable Analysis analyze(Occurrence occurrence) {
+                        return refuse(occurrence, "it is locked");
+                    }
+                },
+                new EventAnalyze("Broken") {
+                    @Override
+                    protected @Nullable Analysis analyze(Occurrence occurrence) {
+                        throw new IllegalStateException("it is broken");
+                    }
+                },
+                new EventAnalyze("Silent") {
+                    @Override
+                    protected @Nullable Analysis analyze(Occurrence occurrence) {
+                        return null;
+                    }
+                });
+        String present = "EventAnalyze";
+        for (EventAnalyze lock : locks) {
+            player.converter.exchange(present, lock);
+            present = lock.name();
+            press("play");
+        }
+
+        assertThat(player.outcomes()).containsExactly("play IGNORED", "play FAILED", "play IGNORED");
+        assertThat(shadow.report()).hasToString("'next': 3 events, 0 of them decided differently");
     }
 
     @Test

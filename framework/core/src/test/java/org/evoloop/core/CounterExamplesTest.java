@@ -1,7 +1,12 @@
 package org.evoloop.core;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.evoloop.Machines.machine;
 
+import java.util.List;
+import java.util.Map;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.StateMachine;
 import org.junit.jupiter.api.Test;
 
 /** Found by exploration: each of these led to a wrong recorded state that was not in doubt. */
@@ -168,5 +173,37 @@ class CounterExamplesTest {
         core.found("off").sent(true).sent(first, true);
 
         assertThat(core.record()).isEqualTo("off");
+    }
+
+    /** Whether a docked device obeys is up to its guard, which the core does not know. */
+    @Test
+    void theDeviceActsWhileAStepIsOnItsWayThatItsGuardsMayStop() {
+        for (boolean inOrder : List.of(true, false)) {
+            ScriptedCore core = new ScriptedCore(docking()).press("start").begins();
+
+            core.own("dock").sent(inOrder);
+
+            assertThat(core.record()).isEqualTo("Docked, in doubt");
+        }
+    }
+
+    @Test
+    void aLateEffectThatTheGuardsOfTheDeviceMayHaveStopped() {
+        ScriptedCore core = new ScriptedCore(docking()).press("start").begins();
+        long first = core.number();
+
+        core.own("dock").givenUp().sent(first, true);
+
+        assertThat(core.record()).isEqualTo("Docked, in doubt");
+    }
+
+    private static Scene docking() {
+        StateMachine device = machine(
+                "docking",
+                "Off start -> On",
+                "Off dock -> Docked",
+                "On dock -> Docked",
+                "Docked start [charged] -> On");
+        return Scene.of("docking", new ModelPair(device, device), Map.of(), "start", "dock", 2);
     }
 }

@@ -17,6 +17,7 @@ import org.evoloop.migration.Carried.Part;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.StateMachineBuilder;
 import org.junit.jupiter.api.Test;
 
 /** What happens to the states of a music player when another evolution is drawn. */
@@ -259,5 +260,41 @@ class MigrationTest {
         assertThat(next.configurations().contains(maps.to()) || same.contains(at))
                 .as(maps.toString())
                 .isTrue();
+    }
+
+    /** A lamp that remembers how bright it was. */
+    private static DecisionTable remembering() {
+        StateMachine device = machine("lamp", "Off on -> Bright", "Bright off -> Off");
+        StateMachineBuilder builder = StateMachine.named("remembering").initial("Off");
+        builder.drawn(new State("Off [history Dim]"), new State("Off"), List.of(), List.of("Off"), false);
+        StateMachine evolved = builder.transition("Off", "on", "Bright")
+                .transition("Bright", "off", "Off")
+                .transition("Bright", "dim", "Dim")
+                .transition("Dim", "off", "Off [history Dim]")
+                .transition("Off [history Dim]", "on", "Dim")
+                .build();
+        return table(device, evolved);
+    }
+
+    private static String afterRemembering(String system, Mapping mapping) {
+        Migration migration = Migration.plan(remembering(), remembering(), mapping);
+        return maps(fate(migration, "Off", system)).to().evolved().name();
+    }
+
+    @Test
+    void whatAStateRemembersIsKept() {
+        assertThat(afterRemembering("Off [history Dim]", Mapping.byName())).isEqualTo("Off [history Dim]");
+        assertThat(afterRemembering("Off", Mapping.byName())).isEqualTo("Off");
+    }
+
+    @Test
+    void aMappingMayNameWhatIsRemembered() {
+        State off = new State("Off");
+        State dimmed = new State("Off [history Dim]");
+
+        assertThat(afterRemembering("Off", Mapping.byName().withState(off, dimmed)))
+                .isEqualTo("Off [history Dim]");
+        assertThat(afterRemembering("Off [history Dim]", Mapping.byName().withState(dimmed, off)))
+                .isEqualTo("Off");
     }
 }
