@@ -1,5 +1,7 @@
 package org.evoloop.converter;
 
+import java.util.Collections;
+import java.util.HashSet;
 import java.util.Set;
 import java.util.function.BiFunction;
 import org.evoloop.evolution.EventNames;
@@ -25,10 +27,13 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public abstract class EventMonitor extends Monitor<Occurrence> {
+    /** Of an event made before this monitor was part of a converter, which has the code of the guards. */
+    private static final Set<String> NOT_EVALUATED = Collections.unmodifiableSet(new HashSet<>());
+
     private volatile @Nullable EventNames eventNames;
     private volatile @Nullable LoopConfig config;
     private volatile @Nullable MapeLoop<Occurrence, ?, ?> loop;
-    private volatile BiFunction<Event, Values, Set<String>> guards = (event, values) -> Set.of();
+    private volatile BiFunction<Event, Values, Set<String>> guards = (event, values) -> NOT_EVALUATED;
 
     /** A monitor named after its class. */
     protected EventMonitor() {}
@@ -197,6 +202,20 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         // A fact moves the record at once, so its guards are evaluated here, before it is reported.
         Set<String> holding = guards.apply(heard, values);
         return new Occurrence.Heard(heard, values, source, deviceActed, holding, Occurrence.ANY_VISIT, nanoTime());
+    }
+
+    /** {@code early} with the guards that hold now, if it was made before this monitor was part of a converter. */
+    final Occurrence evaluated(Occurrence early) {
+        return early instanceof Occurrence.Heard heard && heard.holding() == NOT_EVALUATED
+                ? new Occurrence.Heard(
+                        heard.event(),
+                        heard.values(),
+                        heard.source(),
+                        heard.deviceActed(),
+                        guards.apply(heard.event(), heard.values()),
+                        heard.visit(),
+                        heard.observedNanos())
+                : early;
     }
 
     private long nanoTime() {

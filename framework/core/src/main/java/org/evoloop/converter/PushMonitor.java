@@ -100,7 +100,7 @@ public class PushMonitor extends EventMonitor {
                 Occurrence oldest = pushed.poll();
                 if (oldest != null) {
                     behind.decrementAndGet();
-                    if (!hand(oldest) && !losing) {
+                    if (!hand(evaluated(oldest)) && !losing) {
                         losing = true;
                         LOG.warn(
                                 "{} reports more than {} events before its converter is built; the oldest are lost",
@@ -123,6 +123,6 @@ public class PushMonitor extends EventMonitor {
         }
         Occurrence next = hasThread() ? pushed.take() : pushed.poll();
         handingOver = next != null;
-        return next;
+        return next == null ? null : evaluated(next);
     }
 }
