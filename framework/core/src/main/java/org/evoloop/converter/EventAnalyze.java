@@ -19,7 +19,8 @@ import org.jspecify.annotations.Nullable;
  * }
  * }</pre>
  *
- * <p>A refined decision takes transitions that the models draw; with any other, the event fails.
+ * <p>A refined decision takes transitions that the models draw, and its steps and its transition lead to the states that
+ * it names; with any other, the event fails.
  *
  * <p>A fact, on which the device has already acted, can be refused too; the record of the device follows it all the
  * same.
