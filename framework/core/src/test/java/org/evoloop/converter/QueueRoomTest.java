@@ -65,8 +65,6 @@ class QueueRoomTest {
                 protected void registerNewFunctions() {
                     function("Cleaning", visit -> {
                         LiveRobot.await(full);
-                        visit.raise("grind");
-                        visit.raise("grind");
                         visit.raise("cleaned");
                     });
                 }
