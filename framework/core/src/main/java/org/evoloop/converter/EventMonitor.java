@@ -1,5 +1,7 @@
 package org.evoloop.converter;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Collections;
 import java.util.HashSet;
 import java.util.Set;
@@ -206,6 +208,7 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     private Occurrence occurrence(String event, Values values, Source source, boolean deviceActed) {
         EventNames names = eventNames;
         Event heard = names == null ? new Event(event) : names.named(event);
+        requireNonNull(values, "the values of an event are null; Values.NONE are none");
         // A fact moves the record at once, so its guards are evaluated here, before it is reported.
         Set<String> holding = guards.apply(heard, values);
         return new Occurrence.Heard(heard, values, source, deviceActed, holding, Occurrence.ANY_VISIT, nanoTime());

@@ -8,8 +8,12 @@ import java.util.Set;
 import org.assertj.core.api.AbstractThrowableAssert;
 import org.evoloop.PaperModels;
 import org.evoloop.RecordingExecute;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Source;
+import org.evoloop.evolution.Values;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.time.Clock;
 import org.evoloop.time.ManualClock;
@@ -178,9 +182,24 @@ class MisuseTest {
         converter.addSpare("spare", () -> null);
         converter.addKnowledge(knowledge);
         converter.addExecute(device);
+        assertThatThrownBy(() -> converter.knowledgeOf(null)).hasMessage("the models are null");
         converter.build();
+        assertThatThrownBy(() -> converter.evolve(null)).hasMessage("the evolution is null");
+        assertThatThrownBy(() -> converter.shadow(null)).hasMessage("the evolution is null");
         assertThatThrownBy(() -> converter.exchange("Device", "spare")).hasMessage("the spare spare is null");
         assertThatThrownBy(() -> converter.offer(null)).hasMessage("the occurrence is null");
+        assertThatThrownBy(() -> panel.press("Clean", null))
+                .hasMessage("the values of an event are null; Values.NONE are none");
+        assertThatThrownBy(() -> panel.fromDevice("Clean", null))
+                .hasMessage("the values of an event are null; Values.NONE are none");
+        assertThatThrownBy(() -> new Occurrence.Heard(new Event("Clean"), null, Source.CONTROLLER, 0, 0))
+                .hasMessage("the values of an event are null; Values.NONE are none");
+        assertThatThrownBy(() -> new Occurrence.Heard(new Event("Clean"), Values.NONE, null, 0, 0))
+                .hasMessage("the source of an event is null");
+        assertThatThrownBy(() -> new Occurrence.Asked(new Event("Clean"), null, 0, 0))
+                .hasMessage("the values of an event are null; Values.NONE are none");
+        assertThatThrownBy(() -> new Occurrence.Found(null, 0))
+                .hasMessage("the state in which the device was found is null");
         assertThatThrownBy(() -> converter.addSpare("spare", () -> panel))
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessage("there is a spare named spare already");
