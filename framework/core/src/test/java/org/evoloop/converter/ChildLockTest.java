@@ -68,6 +68,24 @@ class ChildLockTest {
     }
 
     @Test
+    void theHistoryOfARefusedFactTellsWhereTheDeviceWasBefore() {
+        EventAnalyze lock = new EventAnalyze() {
+            @Override
+            protected Analysis analyze(Occurrence occurrence) {
+                return refuse(occurrence, "locked");
+            }
+        };
+        try (Player player = new Player(NewFunction.none(), lock)) {
+            player.acts("play");
+            player.settle();
+            assertThat(player.last().before()).isEqualTo(at("Stopped", "Stopped"));
+            assertThat(player.last().after()).isEqualTo(at("Playing", "Stopped"));
+            assertThat(player.last().outcome()).isEqualTo(Outcome.IGNORED);
+            assertThat(player.last().detail()).isEqualTo("locked");
+        }
+    }
+
+    @Test
     void anAnalysisOfAnotherOccurrenceFailsInsteadOfBeingCarriedOut() {
         Occurrence[] first = new Occurrence[1];
         EventAnalyze forgetful = new EventAnalyze() {

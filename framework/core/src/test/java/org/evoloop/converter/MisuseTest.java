@@ -4,12 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
+import java.util.Optional;
 import java.util.Set;
 import org.assertj.core.api.AbstractThrowableAssert;
 import org.evoloop.PaperModels;
 import org.evoloop.RecordingExecute;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
+import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
@@ -156,6 +158,27 @@ class MisuseTest {
         assertThatThrownBy(converter::build)
                 .isInstanceOf(ModelException.class)
                 .hasMessage("Forgetful.spontaneousEvents() is null; return Set.of() if there are none");
+    }
+
+    @Test
+    @SuppressWarnings("NullAway")
+    void nullIsNoAnswerToAQuestion() {
+        EventExecute mute = new EventExecute("Mute") {
+            @Override
+            protected Set<String> sendableEvents() {
+                return Set.of("Clean");
+            }
+
+            @Override
+            protected void send(Step step) {}
+
+            @Override
+            protected Optional<String> locate() {
+                return null;
+            }
+        };
+        assertThatThrownBy(() -> mute.locate(knowledge, true, cause -> {}))
+                .hasMessage("locate() is null; return Optional.empty() if the device does not know it");
     }
 
     @Test
