@@ -1,5 +1,7 @@
 package org.evoloop.converter;
 
+import static java.util.Objects.requireNonNull;
+
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 
@@ -12,4 +14,10 @@ import org.evoloop.evolution.Occurrence;
  * @param decision the decision, made for the states of device and evolved system at that moment
  * @since 0.1
  */
-public record Analysis(Occurrence occurrence, Decision decision) {}
+public record Analysis(Occurrence occurrence, Decision decision) {
+    /** Neither may be null. */
+    public Analysis {
+        requireNonNull(occurrence, "the occurrence of an analysis is null");
+        requireNonNull(decision, "the decision of an analysis is null");
+    }
+}

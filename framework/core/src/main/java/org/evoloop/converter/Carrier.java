@@ -4,6 +4,7 @@ import org.evoloop.core.Input;
 import org.evoloop.core.Inputs;
 import org.evoloop.core.Output;
 import org.evoloop.core.Pending;
+import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;
@@ -109,7 +110,8 @@ final class Carrier {
             }
             Agenda agenda = outputs.agenda;
             if (agenda.turn() != pending.number()) {
-                if (plan.decision() != driver.decided()) {
+                Decision decided = driver.decided();
+                if (plan.decision() != decided && !plan.decision().equals(decided)) {
                     plan.requireDrawnIn(driver.rules().table().models());
                 }
                 agenda.begin(pending.number());

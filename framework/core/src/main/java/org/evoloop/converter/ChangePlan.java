@@ -1,5 +1,7 @@
 package org.evoloop.converter;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
@@ -21,6 +23,11 @@ import org.evoloop.statemachine.Transition;
  * @since 0.1
  */
 public record ChangePlan(Occurrence occurrence, Decision decision) {
+    /** Neither may be null. */
+    public ChangePlan {
+        requireNonNull(occurrence, "the occurrence of a plan is null");
+        requireNonNull(decision, "the decision of a plan is null");
+    }
 
     /** The steps to send to the device, in order. */
     public List<Step> steps() {
@@ -28,10 +35,11 @@ public record ChangePlan(Occurrence occurrence, Decision decision) {
     }
 
     /**
-     * An analyze component may have made the decision: the record must not come to states that do not exist, and a
-     * journal must be readable by the models.
+     * An analyze component may have made the decision: the record must not come to states that do not exist, or that its
+     * steps and its transition do not lead to, and a journal must be readable by the models.
      *
-     * @throws IllegalStateException if it leads to a state, or takes a transition, that {@code models} do not have
+     * @throws IllegalStateException if it leads to a state, or takes a transition, that {@code models} do not have, or
+     *     does not lead there
      */
     void requireDrawnIn(ModelPair models) {
         requireStates(models, decision.before());
@@ -42,6 +50,34 @@ public record ChangePlan(Occurrence occurrence, Decision decision) {
         }
         for (Step step : steps()) {
             requireTransition(models.original(), step.transition(), "original");
+        }
+        requireLeadsToItsEnd(models);
+    }
+
+    private void requireLeadsToItsEnd(ModelPair models) {
+        Configuration begin = decision.before();
+        Configuration end = decision.after();
+        Transition taken = decision.leavesState() ? decision.transition() : null;
+        State left = taken == null ? begin.evolved() : taken.source();
+        State entered = taken == null ? begin.evolved() : taken.target();
+        if (!left.equals(begin.evolved()) || !entered.equals(end.evolved())) {
+            throw new IllegalStateException("the plan leads the new model from " + begin.evolved() + " to "
+                    + end.evolved() + (taken == null ? ", but takes no transition" : ", but takes " + taken));
+        }
+        State reached = begin.original();
+        for (Step step : steps()) {
+            // A step from elsewhere leads nowhere; the device stays where it is.
+            reached = step.source().equals(reached) ? step.target() : reached;
+        }
+        if (!reached.equals(end.original())) {
+            throw new IllegalStateException("the plan leads the device from " + begin.original() + " to "
+                    + end.original() + ", but its steps " + steps() + " lead to " + reached);
+        }
+        if (taken != null
+                && !models.isNew(entered)
+                && !models.deviceStates(entered).contains(reached)) {
+            throw new IllegalStateException(
+                    "the plan leads the new model to " + entered + " and leaves the device in " + reached);
         }
     }
 

@@ -160,9 +160,11 @@ final class ConverterShell implements LoopListener<Occurrence> {
             monitor.attach(config, loop, knowledge.get().eventNames(), driver::holding);
         } else if (component instanceof EventAnalyze analyze) {
             analyze.attach(driver);
+        } else if (component instanceof EventPlan plan) {
+            plan.attach(driver);
         } else if (component instanceof EventExecute execute) {
             execute.attach(this::tookEffect, carrier);
-        } else if (!(component instanceof EventPlan)) {
+        } else {
             throw new IllegalArgumentException(component.name() + " is not a component of a converter");
         }
     }

@@ -119,10 +119,15 @@ final class CoreDriver {
         return made;
     }
 
-    /** Whether a plan for {@code occurrence} has failed in the middle, so that its device may have to be brought back. */
-    synchronized boolean hasBroken(Occurrence occurrence) {
+    /**
+     * Whether the record is right only if {@code occurrence} is carried out: it asks where the device is, or brings it
+     * where the new model is, after other models have taken over or a plan for it has failed in the middle.
+     */
+    synchronized boolean keepsRecord(Occurrence occurrence) {
         Pending pending = outputs.begun;
-        return pending != null && pending.occurrence() == occurrence && pending.broken() != null;
+        return occurrence instanceof Occurrence.InDoubt
+                || occurrence instanceof Occurrence.Evolved
+                || (pending != null && pending.occurrence() == occurrence && pending.broken() != null);
     }
 
     /** The last decision by the rules, to tell it from those of an analyze component; null if there is none. */

@@ -19,7 +19,8 @@ import org.jspecify.annotations.Nullable;
  * }
  * }</pre>
  *
- * <p>A refined decision takes transitions that the models draw; with any other, the event fails.
+ * <p>A refined decision takes transitions that the models draw, and its steps and its transition lead to the states that
+ * it names; with any other, the event fails.
  *
  * <p>A fact, on which the device has already acted, can be refused too; the record of the device follows it all the
  * same.
@@ -42,7 +43,9 @@ public class EventAnalyze extends Analyze<Occurrence, Analysis> {
     }
 
     /**
-     * The analysis; null for an occurrence that is no longer in the loop, since this component did not return in time.
+     * The analysis; null for an occurrence that is no longer in the loop, since this component did not return in time. An
+     * override may return null to dismiss an occurrence, which {@link #refuse} does with a reason, except for those that
+     * cannot be refused.
      */
     @Override
     protected @Nullable Analysis analyze(Occurrence occurrence) {
@@ -70,11 +73,14 @@ public class EventAnalyze extends Analyze<Occurrence, Analysis> {
      * other models have taken over, and the way back, or the other way, after a step of the event's plan has failed.
      */
     protected final Analysis refuse(Occurrence occurrence, String reason) {
-        CoreDriver attached = driver;
-        boolean keepsRecord = occurrence instanceof Occurrence.InDoubt
-                || occurrence instanceof Occurrence.Evolved
-                || (attached != null && attached.hasBroken(occurrence));
-        Analysis usual = keepsRecord ? decided(occurrence) : null;
+        Analysis usual = unlessDismissed(occurrence);
         return usual == null ? new Analysis(occurrence, new Decision.Refused(configuration(), reason)) : usual;
+    }
+
+    /** The usual analysis of what keeps the record right; null for any other occurrence. */
+    @Override
+    protected final @Nullable Analysis unlessDismissed(Occurrence occurrence) {
+        CoreDriver attached = driver;
+        return attached != null && attached.keepsRecord(occurrence) ? decided(occurrence) : null;
     }
 }

@@ -1,5 +1,7 @@
 package org.evoloop.converter;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Collections;
 import java.util.HashSet;
 import java.util.Optional;
@@ -158,7 +160,8 @@ public abstract class EventExecute extends Execute<ChangePlan> {
     final Optional<State> locate(StateKnowledge knowledge, boolean isLast, Consumer<Throwable> reports)
             throws Exception {
         try {
-            return locate().map(knowledge::located);
+            return requireNonNull(locate(), "locate() is null; return Optional.empty() if the device does not know it")
+                    .map(knowledge::located);
         } catch (InterruptedException stop) {
             throw stop;
         } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {

@@ -1,5 +1,9 @@
 package org.evoloop.converter;
 
+import static java.util.Objects.requireNonNull;
+
+import java.util.Collections;
+import java.util.HashSet;
 import java.util.Set;
 import java.util.function.BiFunction;
 import org.evoloop.evolution.EventNames;
@@ -25,10 +29,13 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public abstract class EventMonitor extends Monitor<Occurrence> {
+    /** Of an event made before this monitor was part of a converter, which has the code of the guards. */
+    private static final Set<String> NOT_EVALUATED = Collections.unmodifiableSet(new HashSet<>());
+
     private volatile @Nullable EventNames eventNames;
     private volatile @Nullable LoopConfig config;
     private volatile @Nullable MapeLoop<Occurrence, ?, ?> loop;
-    private volatile BiFunction<Event, Values, Set<String>> guards = (event, values) -> Set.of();
+    private volatile BiFunction<Event, Values, Set<String>> guards = (event, values) -> NOT_EVALUATED;
 
     /** A monitor named after its class. */
     protected EventMonitor() {}
@@ -138,6 +145,13 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
                 });
     }
 
+    /** Says that the queue had no room for {@code pressed}. */
+    final IllegalStateException loss(Occurrence pressed) {
+        LoopConfig attached = config;
+        return new IllegalStateException("the queue of the converter " + (attached == null ? name() : attached.name())
+                + " is full, so " + pressed.label() + " is lost; repeat it when it has caught up");
+    }
+
     /** Whether this monitor has a thread of its own; without, {@link #getEvent} must not wait. */
     protected final boolean hasThread() {
         LoopConfig attached = config;
@@ -194,9 +208,24 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     private Occurrence occurrence(String event, Values values, Source source, boolean deviceActed) {
         EventNames names = eventNames;
         Event heard = names == null ? new Event(event) : names.named(event);
+        requireNonNull(values, "the values of an event are null; Values.NONE are none");
         // A fact moves the record at once, so its guards are evaluated here, before it is reported.
         Set<String> holding = guards.apply(heard, values);
         return new Occurrence.Heard(heard, values, source, deviceActed, holding, Occurrence.ANY_VISIT, nanoTime());
+    }
+
+    /** {@code early} with the guards that hold now, if it was made before this monitor was part of a converter. */
+    final Occurrence evaluated(Occurrence early) {
+        return early instanceof Occurrence.Heard heard && heard.holding() == NOT_EVALUATED
+                ? new Occurrence.Heard(
+                        heard.event(),
+                        heard.values(),
+                        heard.source(),
+                        heard.deviceActed(),
+                        guards.apply(heard.event(), heard.values()),
+                        heard.visit(),
+                        heard.observedNanos())
+                : early;
     }
 
     private long nanoTime() {

@@ -10,6 +10,8 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public class EventPlan extends Plan<Analysis, ChangePlan> {
+    private volatile @Nullable CoreDriver driver;
+
     /** A component named after its class. */
     public EventPlan() {}
 
@@ -18,9 +20,27 @@ public class EventPlan extends Plan<Analysis, ChangePlan> {
         super(name);
     }
 
-    /** The plan; null if nothing is to be done. */
+    final void attach(CoreDriver joined) {
+        driver = joined;
+    }
+
+    /**
+     * The plan; null if nothing is to be done. An override may return null to dismiss an occurrence, except for those
+     * that {@link EventAnalyze} cannot refuse.
+     */
     @Override
     protected @Nullable ChangePlan plan(Analysis analysis) {
+        return planned(analysis);
+    }
+
+    private static ChangePlan planned(Analysis analysis) {
         return new ChangePlan(analysis.occurrence(), analysis.decision());
+    }
+
+    /** The usual plan for what keeps the record right; null for any other occurrence. */
+    @Override
+    protected final @Nullable ChangePlan unlessDismissed(Analysis analysis) {
+        CoreDriver attached = driver;
+        return attached != null && attached.keepsRecord(analysis.occurrence()) ? planned(analysis) : null;
     }
 }

@@ -46,8 +46,8 @@ public class PushMonitor extends EventMonitor {
      * A control of the controller was operated.
      *
      * @throws IllegalArgumentException if neither model knows the event; the message lists the most similar names
-     * @throws IllegalStateException if the converter is not running or cannot write its journal, or this monitor is not
-     *     part of one
+     * @throws IllegalStateException if the converter is not running or cannot write its journal, its queue is full, or
+     *     this monitor is not part of one
      */
     public final void press(String event) {
         press(event, Values.NONE);
@@ -57,8 +57,9 @@ public class PushMonitor extends EventMonitor {
     public final void press(String event, Values values) {
         Occurrence pressed = fromController(event, values);
         requireHeard(pressed);
-        if (pass(pressed) == Admission.REFUSED) {
-            throw refusal(pressed);
+        Admission admission = pass(pressed);
+        if (admission != null && admission != Admission.TAKEN) {
+            throw admission == Admission.REFUSED ? refusal(pressed) : loss(pressed);
         }
     }
 
@@ -100,7 +101,7 @@ public class PushMonitor extends EventMonitor {
                 Occurrence oldest = pushed.poll();
                 if (oldest != null) {
                     behind.decrementAndGet();
-                    if (!hand(oldest) && !losing) {
+                    if (!hand(evaluated(oldest)) && !losing) {
                         losing = true;
                         LOG.warn(
                                 "{} reports more than {} events before its converter is built; the oldest are lost",
@@ -123,6 +124,6 @@ public class PushMonitor extends EventMonitor {
         }
         Occurrence next = hasThread() ? pushed.take() : pushed.poll();
         handingOver = next != null;
-        return next;
+        return next == null ? null : evaluated(next);
     }
 }

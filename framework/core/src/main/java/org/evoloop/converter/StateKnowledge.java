@@ -251,7 +251,7 @@ public class StateKnowledge extends Knowledge {
     final State located(String name) {
         State state = new State(name);
         if (!pair.original().hasState(state)) {
-            throw new IllegalStateException("the device says that it is in " + state
+            throw new IllegalStateException("the device says that it is in " + Names.shown(name)
                     + ", which is not a state of its model"
                     + Names.hint(name, pair.original().states()));
         }

@@ -128,7 +128,7 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws ModelException if the models are no evolution
      */
     public StateKnowledge knowledgeOf(ModelPair models) {
-        return Construction.knowledgeOf(models, knowledgeFactory);
+        return Construction.knowledgeOf(requireNonNull(models, "the models are null"), knowledgeFactory);
     }
 
     /** Notifies {@code listener} of what this converter does from now on. */
@@ -382,7 +382,7 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws IllegalStateException if the converter has ended, or {@code next} belongs to another converter
      */
     public Evolution.Result evolve(Evolution evolution) {
-        return evolver.evolve(built(), evolution);
+        return evolver.evolve(built(), requireNonNull(evolution, "the evolution is null"));
     }
 
     /**
@@ -404,7 +404,7 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws EvolutionException if they cannot begin in the system's present states
      */
     public Shadow shadow(Evolution evolution) {
-        return evolver.shadow(built(), evolution);
+        return evolver.shadow(built(), requireNonNull(evolution, "the evolution is null"));
     }
 
     /** The present shadow, if any. */

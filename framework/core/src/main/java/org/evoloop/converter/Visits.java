@@ -205,6 +205,15 @@ final class Visits implements VisitHost {
     }
 
     @Override
+    public void requireNotDeferred(Visit raising, Event event) {
+        if (knowledge.get().models().evolved().defers(raising.state(), event)) {
+            throw new IllegalArgumentException(
+                    raising.state() + " defers " + event
+                            + ", so that its own function cannot raise it: it would wait for another state, where it is too late");
+        }
+    }
+
+    @Override
     public void raise(Visit raising, Event event, Values values) throws InterruptedException {
         put(raised(raising, event, values, Source.FUNCTION));
     }

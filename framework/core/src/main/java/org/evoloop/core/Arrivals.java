@@ -67,7 +67,8 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
             endAtOnce(
                     found,
                     Outcome.FAILED,
-                    "the device was found in " + found.state() + ", which is not a state of its model"
+                    "the device was found in " + Names.shown(found.state().name())
+                            + ", which is not a state of its model"
                             + Names.hint(
                                     found.state().name(),
                                     ledger.rules.table().models().original().states()));

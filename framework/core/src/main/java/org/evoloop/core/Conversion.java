@@ -178,6 +178,11 @@ abstract sealed class Conversion extends Arrivals permits Core {
     private void arrive() {
         Decision decision = Objects.requireNonNull(progress.decision());
         Occurrence occurrence = progress.pending().occurrence();
+        State from = progress.pending().from();
+        // Who refuses a fact does not say where the device was before.
+        Configuration before = decision instanceof Decision.Refused && from != null
+                ? decision.before().withOriginal(from)
+                : decision.before();
         String failures = progress.failures();
         long visit = ledger.stay.number();
         ledger.place.moveEvolved(decision.after(), ledger.out);
@@ -186,7 +191,7 @@ abstract sealed class Conversion extends Arrivals permits Core {
             ledger.enter(transition, transition == null ? Set.of() : transition.keeps());
         }
         progress.end();
-        ledger.ended(occurrence, decision.before(), outcome(decision, failures), decision, failures);
+        ledger.ended(occurrence, before, outcome(decision, failures), decision, failures);
         if (decision instanceof Decision.Impossible && decision.transition() != null) {
             // Its timers restart: what is impossible now may be possible next time.
             ledger.stay.leave(ledger.out);

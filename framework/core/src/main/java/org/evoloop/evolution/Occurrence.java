@@ -1,5 +1,7 @@
 package org.evoloop.evolution;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Locale;
 import java.util.Set;
 import org.evoloop.statemachine.Event;
@@ -59,6 +61,14 @@ public sealed interface Occurrence {
             long observedNanos)
             implements Occurrence {
 
+        /** Nothing may be null. */
+        public Heard {
+            requireNonNull(event, "the event is null");
+            requireNonNull(values, "the values of an event are null; Values.NONE are none");
+            requireNonNull(source, "the source of an event is null");
+            requireNonNull(holding, "the guards of an event are null");
+        }
+
         /** An event on which the device has not acted. */
         public Heard(Event event, Values values, Source source, long visit, long observedNanos) {
             this(event, values, source, false, Set.of(), visit, observedNanos);
@@ -89,6 +99,11 @@ public sealed interface Occurrence {
      * @param state a state of the original model
      */
     record Found(State state, long observedNanos) implements Occurrence {
+        /** The state may not be null. */
+        public Found {
+            requireNonNull(state, "the state in which the device was found is null");
+        }
+
         @Override
         public String label() {
             return "found " + state;
@@ -116,6 +131,12 @@ public sealed interface Occurrence {
      * @param event an event of the original model
      */
     record Asked(Event event, Values values, long visit, long observedNanos) implements Occurrence {
+        /** Nothing may be null. */
+        public Asked {
+            requireNonNull(event, "the event is null");
+            requireNonNull(values, "the values of an event are null; Values.NONE are none");
+        }
+
         @Override
         public String label() {
             return event.toString();

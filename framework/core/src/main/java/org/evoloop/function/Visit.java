@@ -72,6 +72,7 @@ public interface Visit {
      * Raises {@code event} with {@code values} and continues; nothing happens if the state has been left.
      *
      * @throws InterruptedException if the state is left while this waits for room in the queue
+     * @throws IllegalArgumentException if the state defers the event, which would be too late in any other state
      */
     void raise(String event, Values values) throws InterruptedException;
 
@@ -118,13 +119,15 @@ public interface Visit {
     /**
      * Ends the function with {@code event} and its {@code values}, which is raised when {@link NewFunction#run} has
      * returned. Only the first call counts, and none after the state has been left.
+     *
+     * @throws IllegalArgumentException if the state defers the event, as {@link #raise(String, Values)}
      */
     void finish(String event, Values values);
 
     /**
      * Ends the function with {@code event} after {@code delay}, unless the state is left or it has finished before.
      *
-     * @throws IllegalArgumentException if neither model knows the event, and as {@link #after}
+     * @throws IllegalArgumentException if neither model knows the event, or the state defers it, and as {@link #after}
      */
     void finishAfter(Duration delay, String event);
 
@@ -168,7 +171,7 @@ public interface Visit {
      * Ends the function with {@code event} when the time of day is next {@code time}, unless the state is left or it
      * has finished before; else as {@link #at(LocalTime, ZoneId, Runnable)}.
      *
-     * @throws IllegalArgumentException if neither model knows the event
+     * @throws IllegalArgumentException if neither model knows the event, or the state defers it
      */
     void finishAt(LocalTime time, ZoneId zone, String event);
 

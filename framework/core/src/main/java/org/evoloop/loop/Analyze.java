@@ -32,8 +32,18 @@ public abstract non-sealed class Analyze<O, A> extends Component {
     /**
      * Decides what {@code occurrence} means.
      *
-     * @return the analysis, or null if there is nothing to do, which ends the cycle
+     * @return the analysis, or null if there is nothing to do: see {@link #unlessDismissed}
      * @throws Exception any failure: it is reported, and this occurrence ends here
      */
     protected abstract @Nullable A analyze(O occurrence) throws Exception;
+
+    /**
+     * The analysis of {@code occurrence}, for which {@link #analyze} has returned null.
+     *
+     * @return null, the default, to dismiss the occurrence, which ends the cycle
+     * @throws Exception as {@link #analyze}
+     */
+    protected @Nullable A unlessDismissed(O occurrence) throws Exception {
+        return null;
+    }
 }

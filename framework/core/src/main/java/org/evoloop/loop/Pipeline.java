@@ -36,7 +36,8 @@ final class Pipeline<O, A, P> {
             PhaseEvent phase = PhaseEvent.begun();
             A analysis;
             try {
-                analysis = analyzing.analyze(occurrence);
+                A made = analyzing.analyze(occurrence);
+                analysis = made == null ? analyzing.unlessDismissed(occurrence) : made;
             } finally {
                 PhaseEvent.ended(phase, loop, "analyze", analyzing.name(), occurrence);
             }
@@ -49,7 +50,8 @@ final class Pipeline<O, A, P> {
             PhaseEvent phase = PhaseEvent.begun();
             P planned;
             try {
-                planned = planning.plan(analysis);
+                P made = planning.plan(analysis);
+                planned = made == null ? planning.unlessDismissed(analysis) : made;
             } finally {
                 PhaseEvent.ended(phase, loop, "plan", planning.name(), analysis);
             }

@@ -31,8 +31,18 @@ public abstract non-sealed class Plan<A, P> extends Component {
     /**
      * Decides what to do about {@code analysis}.
      *
-     * @return the plan, or null if there is nothing to do, which ends the cycle
+     * @return the plan, or null if there is nothing to do: see {@link #unlessDismissed}
      * @throws Exception any failure: it is reported, and this occurrence ends here
      */
     protected abstract @Nullable P plan(A analysis) throws Exception;
+
+    /**
+     * The plan for {@code analysis}, for which {@link #plan} has returned null.
+     *
+     * @return null, the default, to dismiss the occurrence, which ends the cycle
+     * @throws Exception as {@link #plan}
+     */
+    protected @Nullable P unlessDismissed(A analysis) throws Exception {
+        return null;
+    }
 }

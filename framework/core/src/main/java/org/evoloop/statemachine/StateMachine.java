@@ -124,6 +124,7 @@ public final class StateMachine {
         }
         builder.initial(renamed.apply(initial).name()).initialEffects(initialEffects);
         events.forEach(builder::event);
+        spontaneous.forEach(event -> builder.spontaneous(event.name()));
         for (Transition transition : transitions()) {
             builder.transition(
                     new Transition(

@@ -1,6 +1,7 @@
 package org.evoloop.statemachine;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -25,6 +26,8 @@ public final class StateMachineBuilder {
     private boolean built;
 
     private final Set<Event> events = new LinkedHashSet<>();
+    /** Those that are named without being drawn on a transition or deferred. */
+    private final Set<Event> named = new HashSet<>();
     /** Only for transitions with a place. */
     private final IdentityHashMap<Transition, String> places = new IdentityHashMap<>();
 
@@ -87,6 +90,7 @@ public final class StateMachineBuilder {
      */
     public StateMachineBuilder defers(String state, Event event) {
         addEvent(event, "");
+        named.remove(event);
         return traits(state, known -> known.withDeferred(event));
     }
 
@@ -119,12 +123,18 @@ public final class StateMachineBuilder {
         return this;
     }
 
-    /** Adds an event, which need not occur on any transition. */
+    /**
+     * Adds an event, which need not occur on any transition. Where it occurs only with guards, it is no event besides
+     * those.
+     */
     public StateMachineBuilder event(String event) {
         return event(new Event(event));
     }
 
     StateMachineBuilder event(Event event) {
+        if (!events.contains(event)) {
+            named.add(event);
+        }
         addEvent(event, "");
         return this;
     }
@@ -178,6 +188,7 @@ public final class StateMachineBuilder {
     private void add(Transition transition, Row row, String place) {
         Event event = transition.event();
         addEvent(event, place);
+        named.remove(event);
         Transition present = row.putIfAbsent(transition);
         if (present != null) {
             problems.add("two transitions leave state " + transition.source() + " on event " + event + ": "
@@ -222,6 +233,17 @@ public final class StateMachineBuilder {
             throw new ModelException("state machine '" + name + "': " + String.join("; ", problems));
         }
         built = true;
-        return new StateMachine(name, start, rows, events, spontaneous, initialEffects, traits);
+        return new StateMachine(name, start, rows, withoutNamesOfGuarded(), spontaneous, initialEffects, traits);
+    }
+
+    /** The events, without those that are named but drawn only with guards. */
+    private Set<Event> withoutNamesOfGuarded() {
+        Set<Event> drawn = new LinkedHashSet<>(events);
+        for (Event event : events) {
+            if (!event.guards().isEmpty() && named.contains(event.trigger())) {
+                drawn.remove(event.trigger());
+            }
+        }
+        return drawn;
     }
 }

@@ -6,6 +6,7 @@ import static org.evoloop.converter.Robot.at;
 import java.time.LocalTime;
 import java.time.ZoneOffset;
 import java.util.List;
+import java.util.function.Function;
 import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
@@ -63,6 +64,24 @@ class ChildLockTest {
             player.press("stop");
             player.settle();
             assertThat(player.states()).isEqualTo(at("Stopped", "Stopped"));
+        }
+    }
+
+    @Test
+    void theHistoryOfARefusedFactTellsWhereTheDeviceWasBefore() {
+        EventAnalyze lock = new EventAnalyze() {
+            @Override
+            protected Analysis analyze(Occurrence occurrence) {
+                return refuse(occurrence, "locked");
+            }
+        };
+        try (Player player = new Player(NewFunction.none(), lock)) {
+            player.acts("play");
+            player.settle();
+            assertThat(player.last().before()).isEqualTo(at("Stopped", "Stopped"));
+            assertThat(player.last().after()).isEqualTo(at("Playing", "Stopped"));
+            assertThat(player.last().outcome()).isEqualTo(Outcome.IGNORED);
+            assertThat(player.last().detail()).isEqualTo("locked");
         }
     }
 
@@ -205,6 +224,42 @@ class ChildLockTest {
             player.settle();
             assertThat(player.last().detail())
                     .contains("the plan takes Stopped --play--> Paused, which is not a transition of the new model");
+            assertThat(player.states()).isEqualTo(at("Stopped", "Stopped"));
+        }
+    }
+
+    @Test
+    void aRefinedDecisionThatLeadsElsewhereThanItSaysFails() {
+        State stopped = new State("Stopped");
+        Transition play =
+                Player.MODELS.evolved().transition(stopped, new Event("play")).orElseThrow();
+        assertRefused(
+                here -> new Decision.ExistingState(here, at("Playing", "Playing"), List.of(), play, List.of()),
+                "the plan leads the device from Stopped to Playing, but its steps [] lead to Stopped");
+        assertRefused(
+                here -> new Decision.ExistingState(here, at("Stopped", "Playing"), List.of(), play, List.of()),
+                "the plan leads the new model to Playing and leaves the device in Stopped");
+        assertRefused(
+                here -> new Decision.NewState(here, at("Stopped", "Fading"), List.of(), play, List.of()),
+                "the plan leads the new model from Stopped to Fading, but takes Stopped --play--> Playing");
+        assertRefused(
+                here -> new Decision.NotAcceptable(here, at("Stopped", "Fading"), List.of()),
+                "the plan leads the new model from Stopped to Fading, but takes no transition");
+    }
+
+    private static void assertRefused(Function<Configuration, Decision> refined, String reason) {
+        EventAnalyze mistaken = new EventAnalyze() {
+            @Override
+            protected Analysis analyze(Occurrence occurrence) {
+                return new Analysis(occurrence, refined.apply(configuration()));
+            }
+        };
+        try (Player player = new Player(NewFunction.none(), mistaken)) {
+            player.press("play");
+            player.settle();
+            assertThat(player.last().outcome()).isEqualTo(Outcome.FAILED);
+            assertThat(player.last().detail()).contains(reason);
+            assertThat(player.sent).isEmpty();
             assertThat(player.states()).isEqualTo(at("Stopped", "Stopped"));
         }
     }

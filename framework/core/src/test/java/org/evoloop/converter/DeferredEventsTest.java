@@ -2,7 +2,11 @@ package org.evoloop.converter;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import java.time.Duration;
+import java.time.LocalTime;
+import java.util.ArrayList;
 import java.util.List;
 import org.evoloop.RecordingExecute;
 import org.evoloop.evolution.ModelPair;
@@ -15,6 +19,7 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.function.Executable;
 
 /** An event that a state of the new model defers waits until a state is entered that does not defer it. */
 class DeferredEventsTest {
@@ -47,12 +52,16 @@ class DeferredEventsTest {
     }
 
     private void build(StateMachine evolved) {
+        build(evolved, NewFunction.none());
+    }
+
+    private void build(StateMachine evolved, NewFunction cleaning) {
         converter.addMonitor(panel);
         converter.addExecute(mill);
         converter.addKnowledge(new StateKnowledge(new ModelPair(MILL, evolved)) {
             @Override
             protected void registerNewFunctions() {
-                function("Cleaning", NewFunction.none());
+                function("Cleaning", cleaning);
                 if (evolved.guards().contains("urgent")) {
                     guard("urgent", () -> false);
                 }
@@ -101,6 +110,31 @@ class DeferredEventsTest {
         assertThat(converter.knowledge().configuration()).hasToString("(Grinding, Grinding)");
         assertThat(converter.status().queue().dropped()).isEqualTo(1);
         assertThat(converter.status().queue().depth()).isZero();
+        converter.close();
+    }
+
+    /** It would wait until the state has been left, and be stale then. */
+    @Test
+    void theFunctionOfTheStateCannotRaiseIt() throws InterruptedException {
+        List<String> refused = new ArrayList<>();
+        build(evolved(false), visit -> {
+            for (Executable raising : List.<Executable>of(
+                    () -> visit.raise("grind"),
+                    () -> visit.finish("grind"),
+                    () -> visit.finishAfter(Duration.ofSeconds(1), "grind"),
+                    () -> visit.finishAt(LocalTime.NOON, "grind"))) {
+                refused.add(
+                        assertThrows(IllegalArgumentException.class, raising).getMessage());
+            }
+            visit.finish("cleaned");
+        });
+        press("clean");
+        assertThat(refused)
+                .hasSize(4)
+                .containsOnly("Cleaning defers grind, so that its own function cannot raise it: it would wait for "
+                        + "another state, where it is too late");
+        assertThat(converter.knowledge().configuration()).hasToString("(Idle, Idle)");
+        assertThat(converter.history()).hasSize(2);
         converter.close();
     }
 

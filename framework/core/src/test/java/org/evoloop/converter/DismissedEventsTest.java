@@ -10,7 +10,7 @@ import org.evoloop.function.Visit;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
-/** Analyze components that return null. */
+/** Analyze and plan components that return null. */
 class DismissedEventsTest {
     private boolean silent;
 
@@ -41,5 +41,40 @@ class DismissedEventsTest {
             assertThat(visits).hasSize(2);
             assertThat(visits.get(1).isActive()).isTrue();
         }
+    }
+
+    @Test
+    void anAnalyzeComponentThatReturnsNullDoesNotKeepTheDeviceFromBeingAsked() {
+        try (Player player = new Player(visit -> {}, analyze)) {
+            assertAsked(player);
+        }
+    }
+
+    @Test
+    void neitherDoesAPlanComponent() {
+        try (Player player = new Player(visit -> {})) {
+            player.converter.exchange("EventPlan", new EventPlan("Silent") {
+                @Override
+                protected @Nullable ChangePlan plan(Analysis analysis) {
+                    return silent ? null : super.plan(analysis);
+                }
+            });
+            assertAsked(player);
+        }
+    }
+
+    private void assertAsked(Player player) {
+        player.device.canBeAsked = true;
+        player.after = () -> {
+            silent = true;
+            throw new UnknownEffectException("play was not answered");
+        };
+        player.press("play");
+        player.press("stop");
+        player.settle();
+
+        assertThat(player.outcomes()).containsExactly("play FAILED", "in doubt HANDLED", "stop IGNORED");
+        assertThat(player.doubt()).isEmpty();
+        assertThat(player.states()).isEqualTo(at("Playing", "Playing"));
     }
 }

@@ -37,8 +37,25 @@ class GuardedFactsTest {
         }
 
         void measured(double celsius) {
-            push(fromDevice("measured", Values.of("celsius", celsius)));
+            measured("celsius", celsius);
         }
+
+        void measured(String what, double value) {
+            push(fromDevice("measured", Values.of(what, value)));
+        }
+    }
+
+    private static final StateMachine HALL =
+            machine("hall", "Off press -> On", "On press -> Off", "Off measured [dark] -> On");
+
+    private static final class Lamp extends EventExecute {
+        @Override
+        protected Set<String> sendableEvents() {
+            return Set.of("press");
+        }
+
+        @Override
+        protected void send(Step step) {}
     }
 
     private static final class Oven extends EventExecute {
@@ -78,6 +95,28 @@ class GuardedFactsTest {
             sensor.measured(90);
             assertThat(after(converter)).isEqualTo("(Off, Off)");
             assertThat(converter.status().faults()).isEmpty();
+        }
+    }
+
+    @Test
+    void whatTheDeviceDidBeforeTheConverterWasBuiltMovesTheRecordByItsGuardsToo() throws InterruptedException {
+        ModelPair lit = new ModelPair(HALL, HALL);
+        try (SystemEventConverter converter =
+                new SystemEventConverter(LoopConfig.defaults("hall", clock).withoutThreads())) {
+            converter.addMonitor(sensor);
+            converter.addExecute(new Lamp());
+            converter.addKnowledge(new StateKnowledge(lit) {
+                @Override
+                protected void registerNewFunctions() {
+                    guard("dark", values -> values.number("lux") < 10);
+                }
+            });
+            sensor.measured("lux", 5);
+            converter.build();
+            assertThat(after(converter)).isEqualTo("(On, Off)");
+            converter.start();
+            assertThat(after(converter)).isEqualTo("(On, On)");
+            assertThat(converter.history().get(0).detail()).isEqualTo("measured (by the device)");
         }
     }
 

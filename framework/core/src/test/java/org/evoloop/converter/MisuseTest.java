@@ -4,12 +4,18 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
+import java.util.Optional;
 import java.util.Set;
 import org.assertj.core.api.AbstractThrowableAssert;
 import org.evoloop.PaperModels;
 import org.evoloop.RecordingExecute;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Source;
+import org.evoloop.evolution.Step;
+import org.evoloop.evolution.Values;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.time.Clock;
 import org.evoloop.time.ManualClock;
@@ -156,6 +162,27 @@ class MisuseTest {
 
     @Test
     @SuppressWarnings("NullAway")
+    void nullIsNoAnswerToAQuestion() {
+        EventExecute mute = new EventExecute("Mute") {
+            @Override
+            protected Set<String> sendableEvents() {
+                return Set.of("Clean");
+            }
+
+            @Override
+            protected void send(Step step) {}
+
+            @Override
+            protected Optional<String> locate() {
+                return null;
+            }
+        };
+        assertThatThrownBy(() -> mute.locate(knowledge, true, cause -> {}))
+                .hasMessage("locate() is null; return Optional.empty() if the device does not know it");
+    }
+
+    @Test
+    @SuppressWarnings("NullAway")
     void nullIsRefusedWhereItIsGiven() {
         SystemEventConverter converter = converter("robot", new ManualClock());
         assertThatThrownBy(() -> new SystemEventConverter(null)).hasMessage("the converter's config is null");
@@ -178,9 +205,24 @@ class MisuseTest {
         converter.addSpare("spare", () -> null);
         converter.addKnowledge(knowledge);
         converter.addExecute(device);
+        assertThatThrownBy(() -> converter.knowledgeOf(null)).hasMessage("the models are null");
         converter.build();
+        assertThatThrownBy(() -> converter.evolve(null)).hasMessage("the evolution is null");
+        assertThatThrownBy(() -> converter.shadow(null)).hasMessage("the evolution is null");
         assertThatThrownBy(() -> converter.exchange("Device", "spare")).hasMessage("the spare spare is null");
         assertThatThrownBy(() -> converter.offer(null)).hasMessage("the occurrence is null");
+        assertThatThrownBy(() -> panel.press("Clean", null))
+                .hasMessage("the values of an event are null; Values.NONE are none");
+        assertThatThrownBy(() -> panel.fromDevice("Clean", null))
+                .hasMessage("the values of an event are null; Values.NONE are none");
+        assertThatThrownBy(() -> new Occurrence.Heard(new Event("Clean"), null, Source.CONTROLLER, 0, 0))
+                .hasMessage("the values of an event are null; Values.NONE are none");
+        assertThatThrownBy(() -> new Occurrence.Heard(new Event("Clean"), Values.NONE, null, 0, 0))
+                .hasMessage("the source of an event is null");
+        assertThatThrownBy(() -> new Occurrence.Asked(new Event("Clean"), null, 0, 0))
+                .hasMessage("the values of an event are null; Values.NONE are none");
+        assertThatThrownBy(() -> new Occurrence.Found(null, 0))
+                .hasMessage("the state in which the device was found is null");
         assertThatThrownBy(() -> converter.addSpare("spare", () -> panel))
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessage("there is a spare named spare already");

@@ -1,6 +1,7 @@
 package org.evoloop.converter;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.concurrent.CountDownLatch;
 import org.evoloop.RecordingExecute;
@@ -64,8 +65,6 @@ class QueueRoomTest {
                 protected void registerNewFunctions() {
                     function("Cleaning", visit -> {
                         LiveRobot.await(full);
-                        visit.raise("grind");
-                        visit.raise("grind");
                         visit.raise("cleaned");
                     });
                 }
@@ -76,7 +75,10 @@ class QueueRoomTest {
             LiveRobot.until(() -> converter.history().size() == 1);
             panel.press("grind");
             panel.press("grind");
-            panel.press("grind");
+            assertThatThrownBy(() -> panel.press("grind"))
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessage("the queue of the converter mill is full, so grind is lost; repeat it when it has "
+                            + "caught up");
             assertThat(converter.status().queue().dropped()).isEqualTo(1);
 
             full.countDown();

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
 import java.time.temporal.ChronoUnit;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -57,6 +59,36 @@ class StateMachineTest {
         assertThat(built.transitions()).hasSize(1);
         assertThat(dimmed.states()).hasSize(3);
         assertThat(dimmed.transitionsFrom(new State("Off"))).hasSize(2);
+    }
+
+    @Test
+    void anEventDrawnOnlyWithGuardsIsNotAnotherOneForBeingNamed() {
+        Event hot = new Event("measured", List.of("hot"));
+        StateMachineBuilder builder = StateMachine.named("oven")
+                .initial("On")
+                .spontaneous("measured")
+                .event("press")
+                .transition(new Transition(new State("On"), hot, new State("Off")), "");
+
+        StateMachine oven = builder.build();
+        assertThat(oven.events()).containsExactly(new Event("press"), hot);
+        assertThat(oven.triggers()).containsExactly(new Event("press"), new Event("measured"));
+        assertThat(oven.spontaneous()).containsExactly(new Event("measured"));
+
+        StateMachine other = builder.transition("Off", "measured", "On").build();
+        assertThat(other.events()).containsExactly(new Event("measured"), new Event("press"), hot);
+    }
+
+    @Test
+    void otherNamesOfStatesKeepWhatTheDeviceDoesByItself() {
+        StateMachine device = StateMachine.named("robot")
+                .transition("Spot", "endSpot", "On")
+                .initial("Spot")
+                .spontaneous("endSpot")
+                .build();
+
+        assertThat(device.withStateNames(Map.of(new State("Spot"), "Clean")).spontaneous())
+                .containsExactly(new Event("endSpot"));
     }
 
     @Test

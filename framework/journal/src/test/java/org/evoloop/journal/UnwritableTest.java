@@ -49,6 +49,9 @@ class UnwritableTest {
             assertThatThrownBy(() -> {
                         while (true) {
                             buttons.press("next");
+                            while (converter.status().queue().depth() > 0) {
+                                Thread.onSpinWait();
+                            }
                         }
                     })
                     .isInstanceOf(IllegalStateException.class)

@@ -152,7 +152,9 @@ public final class HostedVisit implements Visit {
     @Override
     public void raise(String event, Values carried) throws InterruptedException {
         if (isActive()) {
-            host.raise(this, new Event(event), requireNonNull(carried, "the values are null"));
+            Event raised = new Event(event);
+            host.requireNotDeferred(this, raised);
+            host.raise(this, raised, requireNonNull(carried, "the values are null"));
         }
     }
 
@@ -181,6 +183,13 @@ public final class HostedVisit implements Visit {
     @Override
     public void finish(String event, Values carried) {
         Last ending = new Last(new Event(event), requireNonNull(carried, "the values are null"));
+        if (isActive()) {
+            host.requireNotDeferred(this, ending.event());
+        }
+        finish(ending);
+    }
+
+    private void finish(Last ending) {
         synchronized (lock) {
             if (finished || !isActive()) {
                 return;
@@ -196,8 +205,8 @@ public final class HostedVisit implements Visit {
 
     @Override
     public void finishAfter(Duration delay, String event) {
-        host.requireKnown(new Event(event));
-        onClock(delay, () -> finish(event));
+        Last ending = lastOnClock(event);
+        onClock(delay, () -> finish(ending));
     }
 
     @Override
@@ -217,8 +226,16 @@ public final class HostedVisit implements Visit {
 
     @Override
     public void finishAt(LocalTime time, ZoneId zone, String event) {
-        host.requireKnown(new Event(event));
-        new Alarm(this, time, zone, () -> finish(event)).once();
+        Last ending = lastOnClock(event);
+        new Alarm(this, time, zone, () -> finish(ending)).once();
+    }
+
+    /** The clock cannot be told what is wrong with an event, so that is found out before. */
+    private Last lastOnClock(String event) {
+        Last ending = new Last(new Event(event), Values.NONE);
+        host.requireKnown(ending.event());
+        host.requireNotDeferred(this, ending.event());
+        return ending;
     }
 
     /** What the clock runs for {@code task}. */

@@ -29,6 +29,13 @@ public interface VisitHost {
     void requireKnown(Event event);
 
     /**
+     * Refuses an event that the visited state defers: it would wait for another state, and be stale there.
+     *
+     * @throws IllegalArgumentException if the state defers the event
+     */
+    void requireNotDeferred(Visit visit, Event event);
+
+    /**
      * Queues an event that the visit raises; waits while the queue is full.
      *
      * @throws InterruptedException if the thread is interrupted while it waits

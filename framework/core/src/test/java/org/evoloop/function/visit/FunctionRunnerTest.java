@@ -44,6 +44,9 @@ class FunctionRunnerTest {
         public void requireKnown(Event event) {}
 
         @Override
+        public void requireNotDeferred(Visit visit, Event event) {}
+
+        @Override
         public void raise(Visit visit, Event event, Values values) {}
 
         @Override

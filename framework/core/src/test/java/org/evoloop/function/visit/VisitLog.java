@@ -59,6 +59,9 @@ public final class VisitLog implements VisitHost {
     }
 
     @Override
+    public void requireNotDeferred(Visit visit, Event event) {}
+
+    @Override
     public void raise(Visit visit, Event event, Values values) throws InterruptedException {
         events.put("raised " + event);
     }
