@@ -144,7 +144,10 @@ class SteppedScenariosTest {
         assertThat(roomba.last().outcome()).isEqualTo(Outcome.FAILED);
         assertThat(roomba.states()).isEqualTo(at("On", "On"));
         assertThat(roomba.roomba.converter().status().link().up()).isFalse();
-        assertThat(roomba.roomba.converter().status().link().text()).contains("hung up");
+        assertThat(roomba.roomba.converter().status().link().text())
+                .as("it names the port once")
+                .isEqualTo("memory link of the converter hung up");
+        assertThat(roomba.last().detail()).endsWith(": memory link of the converter hung up");
     }
 
     @Test

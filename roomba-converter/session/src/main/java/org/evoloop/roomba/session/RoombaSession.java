@@ -465,8 +465,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         Telemetry now = reader.latest();
         String trouble = connection.trouble();
         if (!trouble.isEmpty() || now == null) {
-            // Without any link so far, the problem already names the port.
-            return connection.hasLink() ? connection.description() + ": " + trouble : trouble;
+            // Without a link, the problem already names the port.
+            return connection.hasLink() && !connection.isDown() ? connection.description() + ": " + trouble : trouble;
         }
         return connection.description() + ", " + reader.describe(now);
     }
