@@ -5,6 +5,7 @@ import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
 import org.evoloop.converter.EventExecute;
+import org.evoloop.converter.UnknownEffectException;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
 import org.evoloop.link.LinkException;
@@ -78,26 +79,32 @@ final class ExecuteCommand extends EventExecute implements SessionListener {
     }
 
     @Override
-    protected void send(Step step) throws InterruptedException {
+    protected void send(Step step) throws InterruptedException, UnknownEffectException {
         stayAwake();
         if (step.source().name().equals(RobotEvents.STATE_ASLEEP)) {
             session.wake();
         } else if (step.event().name().equals(RobotEvents.UNDOCK)) {
             session.leaveAlone();
-            session.leaveDock();
+            requireKnown(session.leaveDock());
         } else {
             send(command(step));
         }
     }
 
-    private void send(Command command) throws InterruptedException {
+    private void send(Command command) throws InterruptedException, UnknownEffectException {
         sent = command;
         session.send(command);
         // Only after sending: while control is wanted, no frame shows that the robot is idle.
         session.leaveAlone();
         commanded = true;
         commandedNanos = clock.nanoTime();
-        session.awaitEffect();
+        requireKnown(session.awaitEffect());
+    }
+
+    private void requireKnown(boolean effect) throws UnknownEffectException {
+        if (!effect) {
+            throw new UnknownEffectException(session.describe());
+        }
     }
 
     @Override
@@ -113,7 +120,8 @@ final class ExecuteCommand extends EventExecute implements SessionListener {
         if (session.isAsleep() && sleeps) {
             return Optional.of(RobotEvents.STATE_ASLEEP);
         }
-        Optional<String> state = session.awaitActivity().flatMap(activity -> RobotEvents.stateName(original, activity));
+        Optional<String> state = session.awaitActivity()
+                .flatMap(activity -> RobotEvents.stateName(original, activity, session.circumstances()));
         state.ifPresent(this::keepMode);
         return state;
     }

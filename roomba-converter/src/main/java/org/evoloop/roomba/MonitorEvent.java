@@ -80,7 +80,8 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
             pushFromDevice(event);
             session.reportSoon();
         } else {
-            find(circumstances);
+            // A robot that shows what it does is awake; its other circumstances are reported once they are certain.
+            find(circumstances.asleep() ? Circumstances.USUAL : circumstances);
         }
     }
 

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import org.evoloop.RoombaPair;
 import org.evoloop.converter.HistoryEntry;
+import org.evoloop.evolution.Occurrence;
 import org.evoloop.function.Reading;
 import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.move.StartPointSensor;
@@ -124,6 +125,27 @@ class HomeTest {
         until("On", "On", 10);
 
         assertThat(roomba.truth().activity()).isEqualTo(RobotActivity.ON);
+        assertThat(roomba.roomba.converter().history())
+                .extracting(HistoryEntry::occurrence)
+                .as("the press explains everything")
+                .noneMatch(Occurrence.Found.class::isInstance);
+    }
+
+    @Test
+    void askedForItsStateItTakesDockAndTroubleIntoAccount() throws InterruptedException {
+        ExecuteCommand asked = new ExecuteCommand(
+                roomba.roomba.session(), RoombaPair.of("home").original(), roomba.clock, new Resumption());
+        roomba.robot.dock();
+        until("Charged", "Charged", 3);
+        roomba.advance(Duration.ofSeconds(1));
+        assertThat(asked.locate()).contains("Charged");
+        roomba.robot.undock();
+        until("On", "On", 3);
+        roomba.advance(Duration.ofSeconds(3));
+        assertThat(asked.locate()).contains("On");
+        roomba.robot.lift();
+        roomba.advance(Duration.ofSeconds(3));
+        assertThat(asked.locate()).contains("Error");
     }
 
     @Test

@@ -42,6 +42,7 @@ final class SteppedRoomba implements AutoCloseable {
     private MemoryLink.@Nullable Noise noise;
     private boolean plugged = true;
     private boolean muted;
+    private boolean pulledByCommand;
 
     SteppedRoomba() {
         this(RobotOptions.defaults());
@@ -107,6 +108,15 @@ final class SteppedRoomba implements AutoCloseable {
         disturb(noise);
         return new ForwardingLink(fresh.converter()) {
             @Override
+            public void send(byte[] bytes) {
+                super.send(bytes);
+                if (pulledByCommand) {
+                    pulledByCommand = false;
+                    unplug();
+                }
+            }
+
+            @Override
             public WakeLine wakeLine() {
                 return low -> {
                     robot.wakeLine(low);
@@ -128,7 +138,13 @@ final class SteppedRoomba implements AutoCloseable {
     }
 
     void replug() {
+        pulledByCommand = false;
         plugged = true;
+    }
+
+    /** Unplugs the cable as soon as the robot has received the next command, before a frame can show its effect. */
+    void unplugWithTheNextCommand() {
+        pulledByCommand = true;
     }
 
     /** Unplugs the cable in the middle of a frame. */

@@ -144,6 +144,45 @@ class SteppedScenariosTest {
         assertThat(roomba.last().outcome()).isEqualTo(Outcome.FAILED);
         assertThat(roomba.states()).isEqualTo(at("On", "On"));
         assertThat(roomba.roomba.converter().status().link().up()).isFalse();
-        assertThat(roomba.roomba.converter().status().link().text()).contains("hung up");
+        assertThat(roomba.roomba.converter().status().link().text())
+                .as("it names the port once")
+                .isEqualTo("memory link of the converter hung up");
+        assertThat(roomba.last().detail()).endsWith(": memory link of the converter hung up");
+    }
+
+    @Test
+    void aCablePulledBeforeACommandShowsItsEffectLeavesTheRecordInDoubtUntilTheRobotIsBack() {
+        roomba.press("Clean");
+        roomba.advance(SOON);
+        roomba.unplugWithTheNextCommand();
+        roomba.press("Clean");
+        assertThat(roomba.truth().activity()).isEqualTo(RobotActivity.CLEAN);
+        assertThat(roomba.roomba.converter().status().doubt())
+                .contains("it is unknown whether Clean had its effect")
+                .contains("hung up");
+
+        roomba.replug();
+        roomba.advance(Duration.ofSeconds(2));
+        assertThat(roomba.roomba.converter().status().doubt()).isEmpty();
+        assertThat(roomba.states()).isEqualTo(at("On", "On"));
+        assertTruth(RobotActivity.ON, OiMode.SAFE);
+    }
+
+    @Test
+    void aSilentRobotIsSentNoEvents() {
+        roomba.press("Clean");
+        roomba.advance(SOON);
+        roomba.mute(true).advance(Duration.ofMillis(2_500));
+        roomba.robotPress(Button.CLEAN);
+        assertTruth(RobotActivity.CLEAN, OiMode.PASSIVE);
+
+        roomba.press("Clean");
+        assertThat(roomba.last().outcome()).isEqualTo(Outcome.FAILED);
+        assertThat(roomba.last().detail()).contains("the robot has fallen silent");
+        assertThat(roomba.truth().activity()).as("not paused").isEqualTo(RobotActivity.CLEAN);
+
+        roomba.mute(false).advance(Duration.ofSeconds(2));
+        assertThat(roomba.states()).isEqualTo(at("On", "On"));
+        assertTruth(RobotActivity.ON, OiMode.SAFE);
     }
 }

@@ -102,6 +102,7 @@ class TruthTest {
         UNPLUG,
         UNPLUG_WITHIN_A_FRAME,
         UNPLUG_WITHIN_A_PRESS,
+        UNPLUG_WITH_A_COMMAND,
         REPLUG,
         BLINK,
         STALL,
@@ -251,6 +252,7 @@ class TruthTest {
                 stepped.advance(Duration.ofMillis(45));
                 stepped.unplug();
             }
+            case UNPLUG_WITH_A_COMMAND -> stepped.unplugWithTheNextCommand();
             case REPLUG -> stepped.replug();
             case BLINK -> {
                 stepped.unplug();

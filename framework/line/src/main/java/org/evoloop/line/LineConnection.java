@@ -90,7 +90,12 @@ public final class LineConnection implements DeviceLink, AutoCloseable {
         wire.open();
     }
 
-    /** Sends a line. @throws IOException if it was not sent, or may not have arrived; the message says which */
+    /**
+     * Sends a line.
+     *
+     * @throws UnknownEffectException if it may not have arrived
+     * @throws IOException if it was not sent
+     */
     public void send(String line) throws IOException {
         wire.write(requireOneLine(line));
     }
@@ -102,7 +107,7 @@ public final class LineConnection implements DeviceLink, AutoCloseable {
      * @param answers the pattern of an answer; answers are not passed to monitors
      * @param heard receives the answer on the thread that reads, in its order among the lines passed to monitors
      * @return the answer
-     * @throws UnknownEffectException if there is none
+     * @throws UnknownEffectException if there is none, or the line may not have arrived
      * @throws IOException if the line was not sent
      */
     public String ask(String line, Pattern answers, Duration limit, Consumer<String> heard)

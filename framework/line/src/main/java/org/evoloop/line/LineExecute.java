@@ -23,7 +23,7 @@ import org.jspecify.annotations.Nullable;
  * }</pre>
  *
  * <p>A step fails if the device cannot be reached or refuses; nothing is sent later or twice. A step also fails if the
- * device does not answer; then the device is asked for its state.
+ * connection is lost while the line is sent, or the device does not answer; then the device is asked for its state.
  *
  * <p>Threading: as {@link EventExecute}.
  *

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.function.Consumer;
+import org.evoloop.converter.UnknownEffectException;
 import org.evoloop.line.LineTransport.Wire;
 import org.evoloop.time.Clock;
 import org.evoloop.time.Threads;
@@ -32,8 +33,8 @@ final class LineWriter {
         this.hangUp = hangUp;
     }
 
-    /** @throws IOException if the line may not have arrived */
-    void write(Wire wire, String line) throws IOException {
+    /** @throws UnknownEffectException if the line may not have arrived */
+    void write(Wire wire, String line) throws UnknownEffectException {
         Runnable stuck = () -> hangUp.accept(place + " took nothing for " + LIMIT.toSeconds() + " s; is it stuck?");
         Clock.Timer late = clock.schedule(LIMIT, () -> Threads.start("line-late", stuck));
         try {
@@ -42,7 +43,8 @@ final class LineWriter {
                 wire.output().flush();
             }
         } catch (IOException failure) {
-            throw new IOException(place + " is lost; whether '" + line + "' has arrived is not known", failure);
+            throw new UnknownEffectException(
+                    place + " is lost; whether '" + line + "' has arrived is not known", failure);
         } finally {
             late.cancel();
         }

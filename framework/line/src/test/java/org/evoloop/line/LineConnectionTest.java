@@ -15,6 +15,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Pattern;
 import org.evoloop.Logged;
+import org.evoloop.converter.UnknownEffectException;
 import org.evoloop.function.Reading;
 import org.evoloop.time.Attempts;
 import org.evoloop.time.ManualClock;
@@ -172,6 +173,15 @@ class LineConnectionTest {
         assertThatThrownBy(() -> connection.ask("go", Pattern.compile("OK"), Duration.ofDays(1), heard -> {}))
                 .isInstanceOf(IOException.class)
                 .hasMessageContaining("hung up");
+    }
+
+    @Test
+    void aLineDuringWhichTheWireIsLostMayHaveArrived() throws Exception {
+        LineTransport.Wire lost = server.transport().open();
+        lost.close();
+        assertThatThrownBy(() -> new LineWriter(clock, "the lamp", why -> {}).write(lost, "SW"))
+                .isInstanceOf(UnknownEffectException.class)
+                .hasMessage("the lamp is lost; whether 'SW' has arrived is not known");
     }
 
     @Test

@@ -11,14 +11,14 @@ public sealed interface Incident {
 
     /**
      * It does not arrive, and has no effect. The sender notices that only if the device reports its effects; then no
-     * answer arrives, and sending fails.
+     * answer arrives, and it is unknown whether it had its effect.
      */
     record Lost() implements Incident {}
 
     /** It has no effect, and sending fails. */
     record Refused() implements Incident {}
 
-    /** It has its effect, but sending fails: the answer was lost. */
+    /** It has its effect, but that is unknown to the sender: the answer was lost. */
     record Unanswered() implements Incident {}
 
     /** The device does {@code event} by itself just before it takes the command. */

@@ -14,6 +14,7 @@ import java.util.stream.Collectors;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.converter.UnknownEffectException;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Event;
@@ -262,9 +263,12 @@ public final class SimulatedDevice {
                     acts(before.event());
                 }
             }
+            if (befalling.contains(Incident.refused())) {
+                throw new IOException("the device refuses " + event);
+            }
             boolean lost = befalling.contains(Incident.lost());
-            if (befalling.contains(Incident.refused()) || (lost && reportsEffects)) {
-                throw new IOException("the device " + (lost ? "does not answer " : "refuses ") + event);
+            if (lost && reportsEffects) {
+                throw new UnknownEffectException("the device does not answer " + event);
             }
             if (!lost) {
                 take(event, befalling, tookEffect);
@@ -272,7 +276,7 @@ public final class SimulatedDevice {
         }
     }
 
-    private void take(String event, List<Incident> befalling, Runnable tookEffect) throws IOException {
+    private void take(String event, List<Incident> befalling, Runnable tookEffect) throws UnknownEffectException {
         received.add(event);
         model.take(event);
         readyAtNanos = requireJoined(clock).nanoTime() + recovery.toNanos();
@@ -286,7 +290,7 @@ public final class SimulatedDevice {
             }
         }
         if (!answers) {
-            throw new IOException("the device has taken " + event + ", and its answer was lost");
+            throw new UnknownEffectException("the device has taken " + event + ", and its answer was lost");
         }
     }
 

@@ -4,11 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.function.UnaryOperator;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.core.Outcome;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Source;
 import org.evoloop.statemachine.StateMachine;
 import org.junit.jupiter.api.Test;
 
@@ -25,9 +27,12 @@ class SimulatedDeviceTest {
                 .start();
     }
 
-    private static Outcome lastOutcome(ConverterHarness converter) {
-        HistoryEntry last = converter.history().get(converter.history().size() - 1);
-        return last.outcome();
+    /** How the presses ended. */
+    private static List<Outcome> outcomes(ConverterHarness converter) {
+        return converter.history().stream()
+                .filter(entry -> entry.occurrence().source() == Source.CONTROLLER)
+                .map(HistoryEntry::outcome)
+                .toList();
     }
 
     @Test
@@ -53,13 +58,16 @@ class SimulatedDeviceTest {
     }
 
     @Test
-    void aLostCommandOfADeviceThatAnswersIsKnownToHaveFailed() {
+    void aLostCommandOfADeviceThatAnswersLeavesTheRecordInDoubtUntilItIsFound() {
         SimulatedDevice player = device(options -> options);
         ConverterHarness converter = converterOf(player);
         player.incidents(IncidentPlan.at(1, Incident.lost()));
-        converter.press("play").expect("Stopped", "Stopped");
-        assertThat(lastOutcome(converter)).isEqualTo(Outcome.FAILED);
+        converter.press("play");
+        assertThat(outcomes(converter)).containsExactly(Outcome.FAILED);
         assertThat(converter.failures()).singleElement().asString().contains("the device does not answer play");
+        assertThat(converter.status().doubt()).contains("it is unknown whether play had its effect");
+        player.reportsState();
+        assertThat(converter.settle().status().doubt()).isEmpty();
         converter.press("play").expect("Playing", "Playing");
     }
 
@@ -86,8 +94,9 @@ class SimulatedDeviceTest {
         assertThat(player.state()).isEqualTo("Stopped");
         converter.press("play");
         assertThat(player.state()).isEqualTo("Playing");
-        assertThat(lastOutcome(converter)).isEqualTo(Outcome.FAILED);
+        assertThat(outcomes(converter)).containsExactly(Outcome.FAILED, Outcome.FAILED);
         assertThat(converter.states().original()).hasToString("Stopped");
+        assertThat(converter.status().doubt()).contains("it is unknown whether play had its effect");
     }
 
     @Test
@@ -165,7 +174,13 @@ class SimulatedDeviceTest {
         SimulatedDevice player = device(SimulatedDevice.Builder::answersLocate);
         ConverterHarness converter = converterOf(player);
         IncidentPlan plan = IncidentPlan.random(
-                seed, 0.5, Incident.lost(), Incident.refused(), Incident.before("stop"), Incident.after("play"));
+                seed,
+                0.5,
+                Incident.lost(),
+                Incident.refused(),
+                Incident.unanswered(),
+                Incident.before("stop"),
+                Incident.after("play"));
         player.incidents(plan);
         for (int press = 0; press < 50; press++) {
             converter.press(press % 3 == 0 ? "pause" : press % 3 == 1 ? "play" : "stop");

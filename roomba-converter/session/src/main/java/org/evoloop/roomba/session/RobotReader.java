@@ -184,11 +184,12 @@ final class RobotReader implements ConnectionOwner {
     }
 
     /**
-     * Drives the robot, which is in Full mode, off its dock, until it is clear of it or something else drives it.
+     * Drives the robot, which is in Full mode, off its dock, until it is clear of it or something else drives it. Does
+     * nothing if it is out of sight: it must not start to drive when it is back.
      */
     synchronized void beginUndocking() {
         Telemetry now = latest;
-        if (now != null) {
+        if (now != null && connection.isUp()) {
             undocking.begin(now);
         }
     }
@@ -289,6 +290,11 @@ final class RobotReader implements ConnectionOwner {
         return effect.isMissing() || !estimate.isSure() ? null : estimate.activity();
     }
 
+    /** The robot's circumstances after the frames so far. */
+    synchronized Circumstances circumstances() {
+        return circumstances.now();
+    }
+
     /** A command has been sent. */
     synchronized void commanded(Command command) {
         framesUntilReport = 0;
@@ -323,6 +329,7 @@ final class RobotReader implements ConnectionOwner {
 
     @Override
     public synchronized void fellAsleep() {
+        estimate.fellAsleep();
         if (circumstances.fellAsleep()) {
             reportCircumstances(reported);
         }

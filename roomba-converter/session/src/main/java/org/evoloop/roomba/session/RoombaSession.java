@@ -18,6 +18,7 @@ import org.evoloop.roomba.oi.PacketId;
 import org.evoloop.roomba.session.connection.Connection;
 import org.evoloop.roomba.session.connection.RobotException;
 import org.evoloop.roomba.session.inference.ActivityEstimate;
+import org.evoloop.roomba.session.inference.Circumstances;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -169,13 +170,26 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
      * once instead of not at all: threads that are being stopped must be able to stop the wheels.
      *
      * @throws LinkException if it could not be sent
-     * @throws RobotException if the robot has just come back into sight and is not under control again yet
+     * @throws RobotException if the robot is silent, so that it may be doing anything, or has just come back into sight
+     *     and is not under control again yet
      */
     public void send(Command command) {
+        if (isSilent()) {
+            throw new RobotException(connection.description() + ": " + connection.trouble());
+        }
         if (control.isRegaining()) {
             throw new RobotException(
                     connection.description() + ": the robot has just reconnected; try again when it is under control");
         }
+        transmit(command);
+    }
+
+    /** Whether the robot does not send, or not yet, though there is a link to it. */
+    private boolean isSilent() {
+        return connection.hasLink() && !connection.isUp() && !connection.isDown();
+    }
+
+    private void transmit(Command command) {
         reader.sending(command);
         synchronized (sending) {
             if (options.mayWait()) {
@@ -195,10 +209,12 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
      * notified. Returns at once if the mode cannot show the effect, and after a quarter of a second of frames, or half
      * a second without frames, if it has not shown it.
      *
+     * @return false if the robot became unreachable before that, so that the effect is unknown
      * @throws InterruptedException if the thread is interrupted while it waits
      */
-    public void awaitEffect() throws InterruptedException {
+    public boolean awaitEffect() throws InterruptedException {
         awaitUntil(() -> !reader.isEffectAwaited(), EFFECT_LIMIT);
+        return connection.isUp() || !reader.isEffectAwaited();
     }
 
     /**
@@ -214,6 +230,11 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         long since = last == null || !options.mayWait() ? 0 : last.frame() + 1;
         awaitUntil(() -> reader.known(since) != null, ACTIVITY_LIMIT);
         return connection.isUp() ? Optional.ofNullable(reader.known(since)) : Optional.empty();
+    }
+
+    /** The robot's circumstances, as of the last frames. */
+    public Circumstances circumstances() {
+        return reader.circumstances();
     }
 
     private void awaitUntil(BooleanSupplier holds, Duration limit) throws InterruptedException {
@@ -240,7 +261,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
 
     /**
      * Puts the robot under control now, and again whenever it has left Safe mode by itself and is at rest; anything
-     * that it does by itself unasked is ended.
+     * that it does by itself unasked is ended. A robot that is silent is put under control when it is back.
      *
      * @throws LinkException if the command could not be sent
      */
@@ -248,7 +269,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         boolean comes;
         synchronized (reader) {
             control.want();
-            comes = isUnderControl() || control.isRegaining() || connection.isAsleep() || reader.isUndocking();
+            comes = isUnderControl() || control.isRegaining() || isSilent() || reader.isUndocking();
         }
         connection.letSleep(false);
         if (!comes) {
@@ -315,11 +336,12 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
      * Drives the robot backwards off its dock, 0.3 m, and keeps it under control there, unless somebody else moves it
      * meanwhile: its own buttons or another command. Without waiting, it drives as frames come.
      *
+     * @return false if the robot became unreachable meanwhile, so that it is unknown where it is
      * @throws LinkException if the robot cannot be reached
-     * @throws RobotException if it stays on its dock, or has just come back into sight
+     * @throws RobotException if it stays on its dock, is silent, or has just come back into sight
      * @throws InterruptedException if the thread is interrupted while it waits; the robot is stopped
      */
-    public void leaveDock() throws InterruptedException {
+    public boolean leaveDock() throws InterruptedException {
         send(new Command.Full());
         reader.beginUndocking();
         try {
@@ -329,11 +351,15 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
                 reader.endUndocking();
             }
         }
+        if (!connection.isUp()) {
+            return false;
+        }
         Telemetry now = reader.latest();
         if (options.mayWait() && (now == null || now.values().onHomeBase())) {
             throw new RobotException(
                     connection.description() + ": the robot does not leave its dock; clear the way behind it");
         }
+        return true;
     }
 
     /** Whether a caller waits for the robot to wake, so that its waking is not news. */
@@ -346,7 +372,12 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         return reader.isUndocking();
     }
 
-    /** Stops the wheels if the robot is under control or about to be, and gives it back to itself for good. */
+    /**
+     * Stops the wheels if the robot is under control or about to be, and gives it back to itself for good. Commands
+     * are sent to a silent robot, too: it may still hear them.
+     *
+     * @throws LinkException if the commands could not be sent
+     */
     public void release() {
         boolean mayHaveControl;
         synchronized (reader) {
@@ -354,8 +385,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             control.release();
         }
         if (mayHaveControl) {
-            send(new ActuatorCommand.DriveDirect(0, 0));
-            send(new Command.Start());
+            transmit(new ActuatorCommand.DriveDirect(0, 0));
+            transmit(new Command.Start());
         }
     }
 
@@ -434,8 +465,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         Telemetry now = reader.latest();
         String trouble = connection.trouble();
         if (!trouble.isEmpty() || now == null) {
-            // Without any link so far, the problem already names the port.
-            return connection.hasLink() ? connection.description() + ": " + trouble : trouble;
+            // Without a link, the problem already names the port.
+            return connection.hasLink() && !connection.isDown() ? connection.description() + ": " + trouble : trouble;
         }
         return connection.description() + ", " + reader.describe(now);
     }

@@ -23,6 +23,7 @@ import org.evoloop.link.MemoryLink;
 import org.evoloop.roomba.oi.ActuatorCommand;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.InputCommand;
+import org.evoloop.roomba.oi.OiMode;
 import org.evoloop.roomba.oi.StreamFrame;
 import org.evoloop.roomba.session.connection.Connection;
 import org.evoloop.roomba.session.connection.RobotException;
@@ -316,16 +317,25 @@ class ConnectionTest {
     }
 
     @Test
-    void aRobotGetsItsTimeAfterACommandThatChangesItsMode() {
+    void aRobotGetsItsTimeAfterACommandThatChangesItsMode() throws InterruptedException {
         List<Long> sentNanos = new CopyOnWriteArrayList<>();
         try (Clock fast = new SystemClock(20);
                 RoombaSession session = new RoombaSession(
-                        baud -> new TimedLink(cables.plugIn(baud), fast, sentNanos), fast, SessionOptions.defaults())) {
+                        baud -> new TimedLink(plugInAnswering(baud), fast, sentNanos),
+                        fast,
+                        SessionOptions.defaults())) {
             session.open();
+            session.awaitRobot();
             session.send(new Command.Safe());
             session.send(new ActuatorCommand.DriveDirect(100, 100));
             assertThat(sentNanos.get(1) - sentNanos.get(0)).isGreaterThan(19_900_000);
         }
+    }
+
+    private Link plugInAnswering(int baud) {
+        Link plugged = cables.plugIn(baud);
+        cables.showAtOnce(1, Frames.resting(OiMode.PASSIVE));
+        return plugged;
     }
 
     /** Records when Safe and DriveDirect are sent. */

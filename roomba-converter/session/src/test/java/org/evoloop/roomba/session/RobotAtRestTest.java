@@ -42,11 +42,21 @@ class RobotAtRestTest {
     private final List<Boolean> wakeLine = new ArrayList<>();
     private final List<String> notices = new ArrayList<>();
     private boolean wired = true;
+    private boolean pulledByCommand;
     private final RoombaSession session = cables.readBy(
             new RoombaSession(this::plugIn, clock, SessionOptions.defaults().withoutWaiting()));
 
     private Link plugIn(int baud) {
         return new ForwardingLink(cables.plugIn(baud)) {
+            @Override
+            public void send(byte[] bytes) {
+                super.send(bytes);
+                if (pulledByCommand) {
+                    pulledByCommand = false;
+                    cables.hangUp();
+                }
+            }
+
             @Override
             public WakeLine wakeLine() {
                 return low -> wired && wakeLine.add(low);
@@ -212,6 +222,18 @@ class RobotAtRestTest {
         clock.advance(Duration.ofMillis(10));
         assertThatThrownBy(session::leaveDock).isInstanceOf(LinkException.class);
         assertThat(session.isUndocking()).isFalse();
+    }
+
+    @Test
+    void aRobotWhoseCableIsPulledAsItIsToLeaveItsDockDoesNotStartWhenItIsBack() throws InterruptedException {
+        frames(5, DOCKED);
+        pulledByCommand = true;
+        assertThat(session.leaveDock()).as("it is known what the robot did").isFalse();
+        clock.advance(Duration.ofSeconds(1));
+        cables.heard();
+        frames(100, DOCKED);
+        assertThat(session.isUndocking()).isFalse();
+        assertThat(cables.heard()).isEqualTo(bytes(new Command.Safe(), STAND, new Command.Safe()));
     }
 
     @Test

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.evoloop.roomba.session.Cables.bytes;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
@@ -239,6 +240,34 @@ class RoombaSessionTest {
         assertThat(notices).containsExactly("seen ON");
         session.send(new Command.Spot());
         assertThat(cables.heard()).isEqualTo(bytes(new Command.Spot()));
+    }
+
+    @Test
+    void aSilentRobotIsSentNothingButWhatStopsIt() {
+        takeControl();
+        silence();
+        assertThatThrownBy(() -> session.send(new Command.Spot()))
+                .isInstanceOf(RobotException.class)
+                .hasMessageContaining("the robot has fallen silent");
+        session.takeControl();
+        assertThat(cables.heard()).isEmpty();
+        session.release();
+        assertThat(cables.heard()).isEqualTo(bytes(STOP, new Command.Start()));
+    }
+
+    @Test
+    void theEffectOfACommandIsUnknownIfTheCableIsPulledBeforeItShows() throws InterruptedException {
+        takeControl();
+        session.send(new Command.Clean());
+        frames(2, PASSIVE);
+        cables.hangUp();
+        assertThat(session.awaitEffect()).as("the mode has shown it").isTrue();
+
+        clock.advance(Duration.ofSeconds(1));
+        frames(10, CONTROLLED);
+        session.send(new Command.Clean());
+        cables.hangUp();
+        assertThat(session.awaitEffect()).isFalse();
     }
 
     @Test

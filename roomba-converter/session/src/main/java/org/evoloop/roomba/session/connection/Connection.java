@@ -439,7 +439,7 @@ public final class Connection {
     /** Sends bytes. @throws LinkException if the robot cannot be reached */
     public void send(byte[] bytes) {
         if (state.phase() == Phase.DOWN) {
-            throw new LinkException(Fault.HUNG_UP, description() + ": " + state.trouble());
+            throw new LinkException(Fault.HUNG_UP, state.trouble());
         }
         plug.send(bytes);
     }
@@ -473,7 +473,7 @@ public final class Connection {
         return isUp() || isAsleep() ? Optional.empty() : Optional.of(downSince);
     }
 
-    /** The problem; empty if there is none. */
+    /** The problem; empty if there is none. It names the port only if there is no link. */
     public String trouble() {
         return state.trouble();
     }

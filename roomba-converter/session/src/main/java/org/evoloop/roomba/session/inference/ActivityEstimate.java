@@ -137,6 +137,11 @@ public final class ActivityEstimate {
         }
     }
 
+    /** It has fallen asleep, so its light is off, and CLEAN only switches it on. */
+    public void fellAsleep() {
+        activity = EstimatedActivity.STANDBY;
+    }
+
     /** Forgets earlier frames, since the robot was unreachable. */
     public void forget() {
         motion.forget();
