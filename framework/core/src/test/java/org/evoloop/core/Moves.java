@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;
+import java.util.Random;
 import java.util.Set;
 import org.evoloop.core.Scene.Act;
 import org.evoloop.core.World.Phase;
@@ -11,6 +12,7 @@ import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Values;
 import org.evoloop.statemachine.Event;
+import org.jspecify.annotations.Nullable;
 
 /** Everything that can happen next from outside: acts of people, timers, functions and the converter's program. */
 final class Moves {
@@ -35,6 +37,19 @@ final class Moves {
         moves.timers();
         moves.lifecycle();
         return moves.found;
+    }
+
+    /**
+     * A random one; null if nothing can happen. Mostly something goes on that has begun: else hardly any plan would come
+     * to its end.
+     */
+    static @Nullable Move any(Snapshot now, World world, long time, Random random) {
+        List<Move> all = of(now, world, time);
+        List<Move> usual = all.stream()
+                .filter(move -> move.world().left.equals(world.left))
+                .toList();
+        List<Move> from = usual.isEmpty() || random.nextInt(4) == 0 ? all : usual;
+        return from.isEmpty() ? null : from.get(random.nextInt(from.size()));
     }
 
     private void press() {

@@ -15,11 +15,10 @@ final class RandomStory {
         Core core = new Core(scene.rules(), said::add);
         World world = new World(scene);
         for (int time = 1; time <= length; time++) {
-            List<Move> moves = Moves.of(core.snapshot(), world, time);
-            if (moves.isEmpty()) {
+            Move move = Moves.any(core.snapshot(), world, time, random);
+            if (move == null) {
                 return inputs;
             }
-            Move move = moves.get(random.nextInt(moves.size()));
             world = move.world();
             Input input = move.input();
             if (input != null) {
