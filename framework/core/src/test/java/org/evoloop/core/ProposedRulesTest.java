@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.evoloop.Machines.machine;
 
 import java.util.Map;
+import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Occurrence;
 import org.evoloop.statemachine.Event;
 import org.junit.jupiter.api.Test;
 
@@ -31,5 +33,26 @@ class ProposedRulesTest {
         core.input(new Input.Recovered(due)).input(new Input.Opened(due));
 
         assertThat(core.core.snapshot().visit().deadlines()).containsKey(TIMEOUT);
+    }
+
+    /**
+     * {@code Conversion.again}, {@code again}: what is decided again waits behind the question to the device, if that
+     * has been queued meanwhile.
+     */
+    @Test
+    void nothingIsDecidedAgainBeforeTheDeviceHasBeenAsked() {
+        ScriptedCore core = new ScriptedCore(Scene.bulb()).press("switch").begins();
+        long first = core.number();
+        core.givenUp().found("off").ready().press("switch").ready();
+        Decision early = core.core
+                .rules()
+                .decide(core.core.at(), core.core.steps(), core.work().pending(), guard -> false);
+        long number = core.number();
+
+        core.sent(first, false).own("switch").input(new Input.Planned(number, early, 9));
+        assertThat(core.record()).endsWith("in doubt");
+        core.ready();
+
+        assertThat(core.work().pending().occurrence()).isInstanceOf(Occurrence.InDoubt.class);
     }
 }
