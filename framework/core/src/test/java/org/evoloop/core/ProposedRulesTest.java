@@ -7,6 +7,7 @@ import java.util.Map;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Values;
 import org.evoloop.statemachine.Event;
 import org.junit.jupiter.api.Test;
 
@@ -54,5 +55,20 @@ class ProposedRulesTest {
         core.ready();
 
         assertThat(core.work().pending().occurrence()).isInstanceOf(Occurrence.InDoubt.class);
+    }
+
+    /** {@code Core.closing}, {@code closing}: a plan that was interrupted and not resumed ends with its visit. */
+    @Test
+    void whatAFunctionAskedForIsNotSentAfterItsVisit() {
+        ScriptedCore core = new ScriptedCore(Scene.bulb());
+        long visit = core.core.visit();
+        core.observe(new Occurrence.Asked(new Event("switch"), Values.NONE, visit, 1));
+        core.ready().planned();
+
+        core.input(new Input.Recovered(2)).input(new Input.Opened(3));
+        core.input(new Input.Closing()).input(new Input.Closed()).input(new Input.Opened(4));
+        core.ready();
+
+        assertThat(core.core.isBusy()).isFalse();
     }
 }
