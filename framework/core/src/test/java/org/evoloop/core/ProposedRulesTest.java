@@ -71,4 +71,28 @@ class ProposedRulesTest {
 
         assertThat(core.core.isBusy()).isFalse();
     }
+
+    /**
+     * {@code Conversion.arrive}, {@code arrive}: if a fact of the past has led the new model to a state that does not go
+     * together with the device's, the new model follows once no fact waits any more.
+     */
+    @Test
+    void theReactionToALateFactDoesNotPartTheNewModelFromTheDevice() {
+        ModelPair pair = new ModelPair(
+                machine("device", "A slip -> C", "C step -> B", "B slip -> A"),
+                machine("new", "A slip -> B", "B slip -> W", "W back -> A"));
+        Scene scene = Scene.of("slipping", pair, Map.of(), "step", "slip", 2);
+        ScriptedCore core = new ScriptedCore(scene).own("slip").own("slip");
+
+        core.begins().sent(true).ready().planned();
+        while (core.core.hasNext()) {
+            core.ready().planned();
+        }
+
+        boolean parted = scene.rules()
+                .table()
+                .find(core.core.at(), core.core.at().original())
+                .leavesState();
+        assertThat(parted).as("%s", core.core.at()).isFalse();
+    }
 }
