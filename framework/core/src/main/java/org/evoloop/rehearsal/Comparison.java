@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Gives other models the inputs of a converter, and compares both decisions on each event.
  *
- * <p>Each step and effect of the other models succeeds at once, unless a step for the same event failed in the
+ * <p>Each step and effect of the other models succeeds at once, unless one for the same event failed in the
  * converter. A guard holds if it held there. Timers are due by the other models' own deadlines. An event of a function
  * occurs only while both new models are in the same state.
  *

@@ -5,6 +5,7 @@ import java.util.Set;
 import org.evoloop.core.Outcome;
 import org.evoloop.core.Output;
 import org.evoloop.evolution.BrokenPlan;
+import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Step;
 import org.jspecify.annotations.Nullable;
 
@@ -47,5 +48,11 @@ public record Ending(
         }
         boolean isBroken = ended.outcome() == Outcome.FAILED && ended.decision() == null;
         return isBroken && took <= taken ? verdict.why() : "";
+    }
+
+    /** Why an effect of other models fails, since one failed here after the device had obeyed; empty if it succeeds. */
+    String effectFailure() {
+        boolean obeyed = ended.decision() != null && !(ended.decision() instanceof Decision.Impossible);
+        return obeyed && ended.outcome() == Outcome.FAILED ? ended.detail() : "";
     }
 }

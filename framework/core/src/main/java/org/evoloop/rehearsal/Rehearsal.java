@@ -278,7 +278,7 @@ final class Rehearsal extends Chronicle {
             }
         } else if (next instanceof Output.Run) {
             core.running(number);
-            core.effectRun(number, "", atNanos);
+            core.effectRun(number, recorded == null ? "" : recorded.effectFailure(), atNanos);
         } else if (next instanceof Output.Locate) {
             core.located(number, core.at().original(), atNanos);
         }

@@ -285,6 +285,30 @@ class ShadowTest {
     }
 
     @Test
+    void anEffectThatFailsFailsInBoth() {
+        player.converter.evolve(Evolution.to(beeping()).withoutWayBack());
+        Shadow shadow = begin(beeping());
+        press("play");
+
+        assertThat(player.outcomes()).endsWith("play FAILED");
+        assertThat(shadow.report()).hasToString("'next': 1 event, 0 of them decided differently");
+    }
+
+    /** A player whose effect on starting fails. */
+    private static StateKnowledge beeping() {
+        StateMachine next =
+                machine("next", "Stopped play -> Playing / beep", "Playing stop -> Stopped", "Playing pause -> Paused");
+        return new StateKnowledge(new ModelPair(Player.MODELS.original(), next)) {
+            @Override
+            protected void registerNewFunctions() {
+                effect("beep", () -> {
+                    throw new IllegalStateException("it is hoarse");
+                });
+            }
+        };
+    }
+
+    @Test
     void whatAComponentRefusesOrFailsOnItRefusesOrFailsOnForAllModels() throws InterruptedException {
         Shadow shadow = begin(dozing());
         List<EventAnalyze> locks = List.of(

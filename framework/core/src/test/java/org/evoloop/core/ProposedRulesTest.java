@@ -1,0 +1,98 @@
+package org.evoloop.core;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.evoloop.Machines.machine;
+
+import java.util.Map;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Values;
+import org.evoloop.statemachine.Event;
+import org.junit.jupiter.api.Test;
+
+/** Rules that neither the core nor its specification in {@code prism/proof} has. */
+class ProposedRulesTest {
+    private static final Event TIMEOUT = new Event("timeout");
+
+    /** {@code Ledger.enterAsLeft}, {@code enter_as_left}: only timers of the present visit count as fired. */
+    @Test
+    void afterACrashAStaleTimerDoesNotCancelThatOfThePresentVisit() {
+        ModelPair pair = new ModelPair(
+                machine("device", "Off start -> On", "On stop -> Off"),
+                machine("working", "Off start -> Work", "Work again -> Work", "Work timeout -> Off", "On"));
+        Scene scene = Scene.of("working", pair, Map.of("Work", "timeout"), "start stop", "", 2);
+        ScriptedCore core = new ScriptedCore(scene).press("start").ready().planned();
+        long first = core.core.visit();
+        long due = core.core.snapshot().visit().deadlines().get(TIMEOUT);
+
+        core.press("again")
+                .input(new Input.TimerDue(first, TIMEOUT, due))
+                .ready()
+                .planned();
+        assertThat(core.core.snapshot().visit().deadlines()).containsKey(TIMEOUT);
+        core.input(new Input.Recovered(due)).input(new Input.Opened(due));
+
+        assertThat(core.core.snapshot().visit().deadlines()).containsKey(TIMEOUT);
+    }
+
+    /**
+     * {@code Conversion.again}, {@code again}: what is decided again waits behind the question to the device, if that
+     * has been queued meanwhile.
+     */
+    @Test
+    void nothingIsDecidedAgainBeforeTheDeviceHasBeenAsked() {
+        ScriptedCore core = new ScriptedCore(Scene.bulb()).press("switch").begins();
+        long first = core.number();
+        core.givenUp().found("off").ready().press("switch").ready();
+        Decision early = core.core
+                .rules()
+                .decide(core.core.at(), core.core.steps(), core.work().pending(), guard -> false);
+        long number = core.number();
+
+        core.sent(first, false).own("switch").input(new Input.Planned(number, early, 9));
+        assertThat(core.record()).endsWith("in doubt");
+        core.ready();
+
+        assertThat(core.work().pending().occurrence()).isInstanceOf(Occurrence.InDoubt.class);
+    }
+
+    /** {@code Core.closing}, {@code closing}: a plan that was interrupted and not resumed ends with its visit. */
+    @Test
+    void whatAFunctionAskedForIsNotSentAfterItsVisit() {
+        ScriptedCore core = new ScriptedCore(Scene.bulb());
+        long visit = core.core.visit();
+        core.observe(new Occurrence.Asked(new Event("switch"), Values.NONE, visit, 1));
+        core.ready().planned();
+
+        core.input(new Input.Recovered(2)).input(new Input.Opened(3));
+        core.input(new Input.Closing()).input(new Input.Closed()).input(new Input.Opened(4));
+        core.ready();
+
+        assertThat(core.core.isBusy()).isFalse();
+    }
+
+    /**
+     * {@code Conversion.arrive}, {@code arrive}: if a fact of the past has led the new model to a state that does not go
+     * together with the device's, the new model follows once no fact waits any more.
+     */
+    @Test
+    void theReactionToALateFactDoesNotPartTheNewModelFromTheDevice() {
+        ModelPair pair = new ModelPair(
+                machine("device", "A slip -> C", "C step -> B", "B slip -> A"),
+                machine("new", "A slip -> B", "B slip -> W", "W back -> A"));
+        Scene scene = Scene.of("slipping", pair, Map.of(), "step", "slip", 2);
+        ScriptedCore core = new ScriptedCore(scene).own("slip").own("slip");
+
+        core.begins().sent(true).ready().planned();
+        while (core.core.hasNext()) {
+            core.ready().planned();
+        }
+
+        boolean parted = scene.rules()
+                .table()
+                .find(core.core.at(), core.core.at().original())
+                .leavesState();
+        assertThat(parted).as("%s", core.core.at()).isFalse();
+    }
+}
