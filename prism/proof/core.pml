@@ -52,6 +52,7 @@
 #define STUCK 6
 #define CROWDED_OUT 7
 #define TOGETHER 8
+#define QUESTION 9
 
 typedef Pending {
   byte id;
@@ -218,15 +219,27 @@ inline append() {
   waiting++
 }
 
-inline prepend() {
+inline prepend() { insert(0) }
+
+inline insert(place) {
   assert(waiting < PLACES);
   i = waiting;
   do
-  :: i > 0 -> COPY(line[i], line[i - 1]); i--
+  :: i > place -> COPY(line[i], line[i - 1]); i--
   :: else -> break
   od;
-  COPY(line[0], next_one);
+  COPY(line[place], next_one);
   waiting++
+}
+
+/* Line.putBack: what has begun has its turn again before all others but a question to the device. */
+inline put_back() {
+#ifdef WHAT_IS_DECIDED_AGAIN_COMES_BEFORE_A_QUESTION
+  prepend()
+#else
+  j = waiting > 0 && line[0].kind == IN_DOUBT;
+  insert(j)
+#endif
 }
 
 inline take_out(place) {
@@ -401,7 +414,7 @@ inline enter_as_left() {
   i = 0;
   do
   :: i < waiting ->
-    armed = armed && !(line[i].kind == HEARD && line[i].source == TIMER &&
+    armed = armed && !(line[i].kind == HEARD && line[i].source == TIMER && line[i].visit == PRESENT &&
                        line[i].what == timer_table[IX(pair, 0, system_at, 0)]);
     i++
   :: else -> break

@@ -20,6 +20,10 @@ inline closing() {
   if
   :: open ->
     open = 0;
+    if
+    :: busy && stage == INTERRUPTED && !HAS_HAPPENED(work) && NEXT_STEP != NONE -> conclude(true)
+    :: else -> skip
+    fi;
     k = 0;
     do
     :: k < waiting ->
@@ -57,7 +61,7 @@ inline recovered() {
   :: busy && stage != SENDING && !decided ->
     COPY(next_one, work);
     end_work();
-    prepend()
+    put_back()
   :: busy && stage != SENDING && decided ->
 #ifdef AN_END_FORGETS_WHAT_IS_IN_PROGRESS
     end_work()

@@ -53,7 +53,8 @@ inline give_turn() {
     COPY(work, line[0]);
     take_out(0);
     busy = 1;
-    must(VISIT, work.visit != FORMER)
+    must(VISIT, work.visit != FORMER);
+    must(QUESTION, doubt != UNSETTLED || work.kind == IN_DOUBT || !(line[0].kind == IN_DOUBT || line[1].kind == IN_DOUBT))
   fi
 }
 
@@ -257,6 +258,9 @@ inline took_late(id_, in_order) {
 
 inline arrive() {
   system_at = AFTER(plan);
+#ifndef A_REACTION_LEAVES_THE_STATES_APART
+  owed = owed || (work.from != NONE && !STANDS_TOGETHER(device_at, system_at));
+#endif
   if
   :: LEAVES(plan) -> enter()
   :: else -> skip
@@ -289,7 +293,7 @@ inline again() {
     COPY(next_one, work);
     next_one.attempts++;
     end_work();
-    prepend()
+    put_back()
   fi
 }
 
@@ -365,10 +369,6 @@ inline located(id_, state) {
         :: else -> skip
         fi;
         device_at = state;
-#ifndef AN_ANSWER_MOVES_THE_DEVICE_ONLY
-        count_facts();
-        owed = owed || j > 0;
-#endif
         plan = code;
         decided = 1;
         arrive()

@@ -14,10 +14,11 @@ PROPERTIES = {
     "stuck": "when nothing waits, a visit is in progress",
     "room": "a controller's event is lost only when the queue is full of controllers' events",
     "together": "when nothing is left to do, device and new model go together, unless something failed",
+    "question": "nothing else has its turn before the device is asked where it is",
     "drains": "when nothing more happens, the queue drains",
     "swaps": "every swap ends: it is completed or abandoned",
 }
-NUMBERS = ("", "record", "once", "visit", "again", "sent", "stuck", "room", "together")
+NUMBERS = ("", "record", "once", "visit", "again", "sent", "stuck", "room", "together", "question")
 """The properties, by their numbers in prism/proof/core.pml."""
 
 
@@ -146,7 +147,8 @@ MUTANTS = (
     Mutant("A_STATE_IS_NOT_ENTERED_AGAIN", "a state that could not be left is entered again", "stuck", ROBOT, {"PRESSES": 1, "FAILS": 1}),
     Mutant("FACTS_TAKE_UP_CONTROLLERS_PLACES", "facts take up none of the controllers' places", "room", ROBOT, {"PRESSES": 1, "OWNS": 2}),
     Mutant("A_LATE_EFFECT_MOVES_THE_DEVICE_ONLY", "the new model follows a late effect", "together", ROBOT, {"PRESSES": 1, "GIVE_UPS": 1}),
-    Mutant("AN_ANSWER_MOVES_THE_DEVICE_ONLY", "the new model follows the device's answer, after older facts", "together", BULB, {"PRESSES": 1, "OWNS": 1, "GIVE_UPS": 1}),
+    Mutant("A_REACTION_LEAVES_THE_STATES_APART", "the new model follows the device if its reaction to a fact has come too late", "together", BULB, {"PRESSES": 1, "OWNS": 1, "GIVE_UPS": 1}),
+    Mutant("WHAT_IS_DECIDED_AGAIN_COMES_BEFORE_A_QUESTION", "the device is asked before an overtaken plan is made again", "question", BULB, {"PRESSES": 2, "OWNS": 1, "JUMPS": 1, "GIVE_UPS": 1}, WORST),
     Mutant("A_FACT_THAT_FAILS_MOVES_THE_DEVICE_ONLY", "the new model follows a fact that fails before it is decided", "together", ROBOT, {"OWNS": 1, "FAILS": 1}),
     Mutant("A_SWAP_LEAVES_THE_STATES_APART", "after a swap the new model follows what the device has done", "together", BULB, {"PRESSES": 1, "OWNS": 1, "SWAPS": 1}),
     Mutant("NOBODY_IS_ASKED_TO_GO_ON", "each step that took effect requests the next", "drains", ROBOT, {"PRESSES": 1}, in_core=False),

@@ -186,6 +186,9 @@ abstract sealed class Conversion extends Arrivals permits Core {
         String failures = progress.failures();
         long visit = ledger.stay.number();
         ledger.place.moveEvolved(decision.after(), ledger.out);
+        // A fact may be decided when the device is elsewhere already.
+        boolean reacts = progress.pending().from() != null && !(decision instanceof Decision.Refused);
+        ledger.followOwed |= reacts && !ledger.rules.table().isFollowed(ledger.place.at());
         if (decision.leavesState()) {
             Transition transition = decision.transition();
             ledger.enter(transition, transition == null ? Set.of() : transition.keeps());
@@ -218,10 +221,10 @@ abstract sealed class Conversion extends Arrivals permits Core {
         }
     }
 
-    /** The occurrence in progress has its turn again before all others, as {@code next}. */
+    /** The occurrence in progress has its turn again before all others but a question to the device, as {@code next}. */
     private void retry(Pending next, String why) {
         progress.end();
-        ledger.line.addFirst(next);
+        ledger.line.putBack(next);
         ledger.out.overtaken(next.occurrence(), why);
     }
 
@@ -354,15 +357,25 @@ abstract sealed class Conversion extends Arrivals permits Core {
         if (progress.isSending()) {
             giveUp(progress.pending().number(), PROCESS_ENDED);
         } else if (!progress.isIdle() && progress.decision() == null) {
-            // It was not yet decided: it has its turn again before all others.
+            // It was not yet decided: it has its turn again.
             Pending pending = progress.pending();
             progress.end();
-            ledger.line.addFirst(pending);
+            ledger.line.putBack(pending);
         } else if (!progress.isIdle()) {
             if (progress.isRunning()) {
                 progress.interruptEffect(PROCESS_ENDED);
             }
             progress.interrupt();
+        }
+    }
+
+    /**
+     * An interrupted plan is not resumed, since the converter closes. If it has to be, it is when that opens again: the
+     * device has already acted, or obeyed.
+     */
+    final void dropInterrupted() {
+        if (progress.isInterrupted() && !progress.pending().hasHappened() && progress.step() != null) {
+            conclude(progress.pending().number(), Outcome.FAILED, PROCESS_ENDED);
         }
     }
 
@@ -406,8 +419,6 @@ abstract sealed class Conversion extends Arrivals permits Core {
         } else {
             Decision found = ledger.rules.table().find(ledger.place.at(), state);
             ledger.place.moveDevice(state, ledger.out);
-            // Facts that wait are older than the answer, and may lead the new model elsewhere.
-            ledger.followOwed |= ledger.line.holdsFacts();
             follow(found, "");
         }
     }

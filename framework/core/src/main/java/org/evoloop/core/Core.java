@@ -105,6 +105,7 @@ public final class Core extends Conversion {
             return;
         }
         ledger.open = false;
+        dropInterrupted();
         for (Pending pending : ledger.line.withoutFacts()) {
             ledger.refused(pending.occurrence());
         }

@@ -27,8 +27,8 @@ final class Ledger {
 
     /**
      * Whether the new model has to follow the device once no fact waits any more, since facts alone do not lead it
-     * there: some were lost, the device has reported its state after them, a step had its effect after it was given up,
-     * or other models have taken over that do not have the two states together.
+     * there: some were lost, or decided when the device was elsewhere already, a step had its effect after it was given
+     * up, or other models have taken over that do not have the two states together.
      */
     boolean followOwed;
 
@@ -121,7 +121,10 @@ final class Ledger {
         }
         long before = stay.number();
         for (Pending pending : line.waiting()) {
-            if (pending.occurrence() instanceof Occurrence.Heard heard && heard.source() == Source.TIMER) {
+            // An older one is stale, and this visit's may still come.
+            if (pending.occurrence() instanceof Occurrence.Heard heard
+                    && heard.source() == Source.TIMER
+                    && heard.visit() == before) {
                 stay.heard(heard.event());
             }
         }

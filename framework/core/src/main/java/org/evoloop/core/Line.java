@@ -109,6 +109,15 @@ final class Line {
         counts.highest(waiting.size());
     }
 
+    /** Puts one that has begun back, before all others but a question to the device, which has to be asked first. */
+    void putBack(Pending pending) {
+        Pending question = holdsDoubt() ? waiting.poll() : null;
+        addFirst(pending);
+        if (question != null) {
+            waiting.addFirst(question);
+        }
+    }
+
     /** Notes that one was lost; true if it is the first since there was last room. */
     boolean lose() {
         boolean first = !losing;

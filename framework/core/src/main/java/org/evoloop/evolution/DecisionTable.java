@@ -362,6 +362,11 @@ public final class DecisionTable {
         return new Decision.Resynchronization(at, situations.containsKey(kept) ? kept : followed(original));
     }
 
+    /** Whether the new model stays where it is if the device is found in its state. */
+    public boolean isFollowed(Configuration at) {
+        return situations.containsKey(at) || followed(at.original()).equals(at);
+    }
+
     private Configuration followed(State original) {
         List<State> same = pair.evolvedStates(original);
         for (State state : same) {

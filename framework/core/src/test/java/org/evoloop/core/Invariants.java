@@ -33,6 +33,7 @@ final class Invariants {
                         invariants.recordIsDevice(),
                         invariants.whatTheDeviceObeyedIsDone(),
                         invariants.oneAfterTheOther(),
+                        invariants.theDeviceIsAskedFirst(),
                         invariants.sumIsRight(),
                         invariants.visitsEnd(),
                         invariants.stepsAreSentOnce(),
@@ -49,8 +50,7 @@ final class Invariants {
     }
 
     private String recordIsDevice() {
-        boolean quiet = world.unreported.isEmpty()
-                && new Core(world.rules(), after, output -> {}).doubt().isEmpty();
+        boolean quiet = world.unreported.isEmpty() && !isInDoubt(after);
         return quiet && !after.at().original().equals(world.device)
                 ? "record: the device is in " + world.device + ", the record says " + after.at()
                 : "";
@@ -76,6 +76,25 @@ final class Invariants {
             }
         }
         return "";
+    }
+
+    /** A record in doubt is not decided from before the device has been asked. */
+    private String theDeviceIsAskedFirst() {
+        boolean waits = isInDoubt(after)
+                && after.waiting().stream().anyMatch(pending -> pending.occurrence() instanceof Occurrence.InDoubt);
+        for (Output output : said) {
+            if (output instanceof Output.Begin begin
+                    && waits
+                    && !(begin.pending().occurrence() instanceof Occurrence.InDoubt)
+                    && !isIn(before.work(), Work.Stage.INTERRUPTED)) {
+                return "question: " + begin + " before the device is asked";
+            }
+        }
+        return "";
+    }
+
+    private boolean isInDoubt(Snapshot snapshot) {
+        return !new Core(world.rules(), snapshot, output -> {}).doubt().isEmpty();
     }
 
     private String sumIsRight() {
@@ -247,7 +266,7 @@ final class Invariants {
                 && after.work() == null
                 && !after.followOwed()
                 && after.waiting().stream().allMatch(this::isDeferred)
-                && new Core(world.rules(), after, output -> {}).doubt().isEmpty();
+                && !isInDoubt(after);
         return quiet && !world.mayBeApart && !world.isTogether(after.at())
                 ? "apart: nothing leads to " + after.at()
                 : "";

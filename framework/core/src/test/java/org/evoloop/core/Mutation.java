@@ -266,16 +266,31 @@ enum Mutation {
             return input instanceof Input.Sent ? Snapshots.followOwed(after, before.followOwed()) : after;
         }
     },
-    AN_ANSWER_MOVES_THE_DEVICE_ONLY("apart", Scene.bulb().with(1, Act.PRESS, Act.OWN, Act.GIVE_UP)) {
+    A_REACTION_LEAVES_THE_STATES_APART("apart", Scene.bulb().with(1, Act.PRESS, Act.OWN, Act.GIVE_UP)) {
         @Override
         Snapshot undo(Snapshot before, Input input, Snapshot after) {
-            return input instanceof Input.Located ? Snapshots.followOwed(after, before.followOwed()) : after;
+            return input instanceof Input.Planned ? Snapshots.followOwed(after, before.followOwed()) : after;
         }
     },
     A_SWAP_LEAVES_THE_STATES_APART("apart", Scene.plainBulb().with(1, Act.PRESS, Act.OWN, Act.EVOLVE)) {
         @Override
         Snapshot undo(Snapshot before, Input input, Snapshot after) {
             return input instanceof Input.Evolved ? Snapshots.followOwed(after, before.followOwed()) : after;
+        }
+    },
+    WHAT_IS_DECIDED_AGAIN_COMES_BEFORE_A_QUESTION(
+            "question", Scene.bulb().outOfOrder().mute().with(2, Act.PRESS).with(1, Act.OWN, Act.JUMP, Act.GIVE_UP)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            List<Pending> waiting = new ArrayList<>(after.waiting());
+            if (before.work() != null
+                    && after.work() == null
+                    && waiting.size() > 1
+                    && waiting.get(1).attempts() > 0
+                    && before.waiting().contains(waiting.get(0))) {
+                Collections.swap(waiting, 0, 1);
+            }
+            return Snapshots.waiting(after, waiting);
         }
     },
     A_FACT_THAT_FAILS_MOVES_THE_DEVICE_ONLY("apart", Scene.robot().with(1, Act.OWN, Act.FAIL)) {

@@ -127,7 +127,7 @@ final class World {
 
     /** Whether the new model would stay where it is if the device were found there. */
     boolean isTogether(Configuration at) {
-        return !rules().table().find(at, at.original()).leavesState();
+        return rules().table().isFollowed(at);
     }
 
     private boolean mayPart(Output.Ended ended) {

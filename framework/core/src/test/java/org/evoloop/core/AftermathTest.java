@@ -11,11 +11,11 @@ import org.evoloop.evolution.Values;
 import org.evoloop.statemachine.Event;
 import org.junit.jupiter.api.Test;
 
-/** Rules that neither the core nor its specification in {@code prism/proof} has. */
-class ProposedRulesTest {
+/** What crashes, stops, and facts that come late leave behind. */
+class AftermathTest {
     private static final Event TIMEOUT = new Event("timeout");
 
-    /** {@code Ledger.enterAsLeft}, {@code enter_as_left}: only timers of the present visit count as fired. */
+    /** It is stale, and the present visit's has not fired. */
     @Test
     void afterACrashAStaleTimerDoesNotCancelThatOfThePresentVisit() {
         ModelPair pair = new ModelPair(
@@ -36,10 +36,7 @@ class ProposedRulesTest {
         assertThat(core.core.snapshot().visit().deadlines()).containsKey(TIMEOUT);
     }
 
-    /**
-     * {@code Conversion.again}, {@code again}: what is decided again waits behind the question to the device, if that
-     * has been queued meanwhile.
-     */
+    /** The doubt comes back while the event is analyzed, and the device overtakes it. */
     @Test
     void nothingIsDecidedAgainBeforeTheDeviceHasBeenAsked() {
         ScriptedCore core = new ScriptedCore(Scene.bulb()).press("switch").begins();
@@ -57,7 +54,7 @@ class ProposedRulesTest {
         assertThat(core.work().pending().occurrence()).isInstanceOf(Occurrence.InDoubt.class);
     }
 
-    /** {@code Core.closing}, {@code closing}: a plan that was interrupted and not resumed ends with its visit. */
+    /** A crash interrupted it, and a stop came before it was resumed. */
     @Test
     void whatAFunctionAskedForIsNotSentAfterItsVisit() {
         ScriptedCore core = new ScriptedCore(Scene.bulb());
@@ -72,10 +69,7 @@ class ProposedRulesTest {
         assertThat(core.core.isBusy()).isFalse();
     }
 
-    /**
-     * {@code Conversion.arrive}, {@code arrive}: if a fact of the past has led the new model to a state that does not go
-     * together with the device's, the new model follows once no fact waits any more.
-     */
+    /** The reaction to the first fact has moved the device, so that to the second comes from elsewhere. */
     @Test
     void theReactionToALateFactDoesNotPartTheNewModelFromTheDevice() {
         ModelPair pair = new ModelPair(
