@@ -259,7 +259,8 @@ inline took_late(id_, in_order) {
 inline arrive() {
   system_at = AFTER(plan);
 #ifndef A_REACTION_LEAVES_THE_STATES_APART
-  owed = owed || (work.from != NONE && !STANDS_TOGETHER(device_at, system_at));
+  count_facts();
+  owed = owed || (work.from != NONE && j == 0 && !STANDS_TOGETHER(device_at, system_at));
 #endif
   if
   :: LEAVES(plan) -> enter()

@@ -186,9 +186,10 @@ abstract sealed class Conversion extends Arrivals permits Core {
         String failures = progress.failures();
         long visit = ledger.stay.number();
         ledger.place.moveEvolved(decision.after(), ledger.out);
-        // A fact may be decided when the device is elsewhere already.
+        // The last of several facts may have been decided when the device was elsewhere already.
         boolean reacts = progress.pending().from() != null && !(decision instanceof Decision.Refused);
-        ledger.followOwed |= reacts && !ledger.rules.table().isFollowed(ledger.place.at());
+        ledger.followOwed |=
+                reacts && !ledger.line.holdsFacts() && !ledger.rules.table().isFollowed(ledger.place.at());
         if (decision.leavesState()) {
             Transition transition = decision.transition();
             ledger.enter(transition, transition == null ? Set.of() : transition.keeps());
@@ -370,8 +371,8 @@ abstract sealed class Conversion extends Arrivals permits Core {
     }
 
     /**
-     * An interrupted plan is not resumed, since the converter closes. If it has to be, it is when that opens again: the
-     * device has already acted, or obeyed.
+     * Ends an interrupted plan, since the converter closes. If the device has already acted or obeyed, the plan stays,
+     * and is resumed when the converter is opened again.
      */
     final void dropInterrupted() {
         if (progress.isInterrupted() && !progress.pending().hasHappened() && progress.step() != null) {

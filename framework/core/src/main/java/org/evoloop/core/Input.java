@@ -27,7 +27,10 @@ public sealed interface Input {
         }
     }
 
-    /** The converter is closed to everything but facts. The occurrence in progress may still end normally. */
+    /**
+     * The converter is closed to everything but facts. The occurrence in progress may still end normally, unless it was
+     * interrupted by the end of a process and has not been resumed.
+     */
     record Closing() implements Input {
         @Override
         public void applyTo(Inputs core) {
