@@ -145,13 +145,6 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
                 });
     }
 
-    /** Says that the queue had no room for {@code pressed}. */
-    final IllegalStateException loss(Occurrence pressed) {
-        LoopConfig attached = config;
-        return new IllegalStateException("the queue of the converter " + (attached == null ? name() : attached.name())
-                + " is full, so " + pressed.label() + " is lost; repeat it when it has caught up");
-    }
-
     /** Whether this monitor has a thread of its own; without, {@link #getEvent} must not wait. */
     protected final boolean hasThread() {
         LoopConfig attached = config;

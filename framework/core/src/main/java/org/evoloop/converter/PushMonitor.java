@@ -46,8 +46,8 @@ public class PushMonitor extends EventMonitor {
      * A control of the controller was operated.
      *
      * @throws IllegalArgumentException if neither model knows the event; the message lists the most similar names
-     * @throws IllegalStateException if the converter is not running or cannot write its journal, its queue is full, or
-     *     this monitor is not part of one
+     * @throws IllegalStateException if the converter is not running or cannot write its journal, or this monitor is not
+     *     part of one
      */
     public final void press(String event) {
         press(event, Values.NONE);
@@ -57,9 +57,8 @@ public class PushMonitor extends EventMonitor {
     public final void press(String event, Values values) {
         Occurrence pressed = fromController(event, values);
         requireHeard(pressed);
-        Admission admission = pass(pressed);
-        if (admission != null && admission != Admission.TAKEN) {
-            throw admission == Admission.REFUSED ? refusal(pressed) : loss(pressed);
+        if (pass(pressed) == Admission.REFUSED) {
+            throw refusal(pressed);
         }
     }
 

@@ -1,7 +1,6 @@
 package org.evoloop.converter;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.concurrent.CountDownLatch;
 import org.evoloop.RecordingExecute;
@@ -75,10 +74,7 @@ class QueueRoomTest {
             LiveRobot.until(() -> converter.history().size() == 1);
             panel.press("grind");
             panel.press("grind");
-            assertThatThrownBy(() -> panel.press("grind"))
-                    .isInstanceOf(IllegalStateException.class)
-                    .hasMessage("the queue of the converter mill is full, so grind is lost; repeat it when it has "
-                            + "caught up");
+            panel.press("grind");
             assertThat(converter.status().queue().dropped()).isEqualTo(1);
 
             full.countDown();
