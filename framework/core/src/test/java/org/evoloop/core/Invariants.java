@@ -83,8 +83,8 @@ final class Invariants {
         boolean waits = isInDoubt(after)
                 && after.waiting().stream().anyMatch(pending -> pending.occurrence() instanceof Occurrence.InDoubt);
         for (Output output : said) {
-            if (output instanceof Output.Begin begin
-                    && waits
+            if (waits
+                    && output instanceof Output.Begin begin
                     && !(begin.pending().occurrence() instanceof Occurrence.InDoubt)
                     && !isIn(before.work(), Work.Stage.INTERRUPTED)) {
                 return "question: " + begin + " before the device is asked";
@@ -93,8 +93,9 @@ final class Invariants {
         return "";
     }
 
-    private boolean isInDoubt(Snapshot snapshot) {
-        return !new Core(world.rules(), snapshot, output -> {}).doubt().isEmpty();
+    private static boolean isInDoubt(Snapshot snapshot) {
+        Doubt doubt = snapshot.doubt();
+        return doubt != null && !doubt.settled();
     }
 
     private String sumIsRight() {
