@@ -2,7 +2,6 @@ package org.evoloop.roomba;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -42,17 +41,13 @@ class EdgeProcessTest {
             try {
                 Awaitility.await("it has begun")
                         .atMost(Duration.ofSeconds(120))
-                        .until(() -> log(log).contains("nothing waits to be sent"));
+                        .until(() -> Files.readString(log).contains("nothing waits to be sent"));
                 JavaProcess.signal("TERM", edge);
-                assertThat(edge.waitFor()).as(log(log)).isZero();
+                assertThat(edge.waitFor()).as(Files.readString(log)).isZero();
                 assertThat(robot.truth().isPassive()).isTrue();
             } finally {
                 edge.destroyForcibly().waitFor();
             }
         }
-    }
-
-    private static String log(Path log) throws IOException {
-        return Files.readString(log);
     }
 }

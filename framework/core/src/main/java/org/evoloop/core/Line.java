@@ -114,7 +114,7 @@ final class Line {
         Pending question = holdsDoubt() ? waiting.poll() : null;
         addFirst(pending);
         if (question != null) {
-            waiting.addFirst(question);
+            addFirst(question);
         }
     }
 
