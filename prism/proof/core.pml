@@ -94,6 +94,7 @@ Pending line[PLACES];
 bit busy;
 Pending work;
 bit decided;
+bit late; /* a step had been sent between the observation of a fact and its decision */
 int plan;
 byte stage;
 byte taken;

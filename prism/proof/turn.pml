@@ -62,6 +62,7 @@ inline end_work() {
   busy = 0;
   decided = 0;
   plan = 0;
+  late = 0;
   taken = 0;
   step_source = 0;
   stage = READY;
@@ -114,6 +115,7 @@ inline planned(id_, plan_, start, system) {
     :: else ->
       plan = plan_;
       decided = 1;
+      late = work.later;
       taken = 0;
       stage = READY;
       step_source = device_at;
@@ -258,10 +260,7 @@ inline took_late(id_, in_order) {
 
 inline arrive() {
   system_at = AFTER(plan);
-#ifndef A_REACTION_LEAVES_THE_STATES_APART
-  count_facts();
-  owed = owed || (work.from != NONE && j == 0 && !STANDS_TOGETHER(device_at, system_at));
-#endif
+  owed = owed || (work.from != NONE && late && !STANDS_TOGETHER(device_at, system_at));
   if
   :: LEAVES(plan) -> enter()
   :: else -> skip
@@ -370,6 +369,10 @@ inline located(id_, state) {
         :: else -> skip
         fi;
         device_at = state;
+#ifndef AN_ANSWER_MOVES_THE_DEVICE_ONLY
+        count_facts();
+        owed = owed || j > 0;
+#endif
         plan = code;
         decided = 1;
         arrive()

@@ -147,7 +147,7 @@ MUTANTS = (
     Mutant("A_STATE_IS_NOT_ENTERED_AGAIN", "a state that could not be left is entered again", "stuck", ROBOT, {"PRESSES": 1, "FAILS": 1}),
     Mutant("FACTS_TAKE_UP_CONTROLLERS_PLACES", "facts take up none of the controllers' places", "room", ROBOT, {"PRESSES": 1, "OWNS": 2}),
     Mutant("A_LATE_EFFECT_MOVES_THE_DEVICE_ONLY", "the new model follows a late effect", "together", ROBOT, {"PRESSES": 1, "GIVE_UPS": 1}),
-    Mutant("A_REACTION_LEAVES_THE_STATES_APART", "the new model follows the device if its reaction to a fact has come too late", "together", BULB, {"PRESSES": 1, "OWNS": 1, "GIVE_UPS": 1}),
+    Mutant("AN_ANSWER_MOVES_THE_DEVICE_ONLY", "the new model follows the device's answer, after older facts", "together", BULB, {"PRESSES": 1, "OWNS": 1, "GIVE_UPS": 1}),
     Mutant("WHAT_IS_DECIDED_AGAIN_COMES_BEFORE_A_QUESTION", "the device is asked before an overtaken plan is made again", "question", BULB, {"PRESSES": 2, "OWNS": 1, "JUMPS": 1, "GIVE_UPS": 1}, WORST, in_core=False),
     Mutant("A_FACT_THAT_FAILS_MOVES_THE_DEVICE_ONLY", "the new model follows a fact that fails before it is decided", "together", ROBOT, {"OWNS": 1, "FAILS": 1}),
     Mutant("A_SWAP_LEAVES_THE_STATES_APART", "after a swap the new model follows what the device has done", "together", BULB, {"PRESSES": 1, "OWNS": 1, "SWAPS": 1}),

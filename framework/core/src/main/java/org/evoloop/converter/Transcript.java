@@ -85,7 +85,7 @@ final class Transcript {
             keep(" MAPE-K loop does not send events. ", "");
         }
         keep("Execute", "");
-        if (!decision.steps().isEmpty() && decision.steps().get(0).byDevice()) {
+        if (decision.deviceBegan()) {
             step(decision.steps().get(0));
         }
         entered = decision instanceof Decision.NewState ? decision.after().evolved() : null;

@@ -186,10 +186,7 @@ abstract sealed class Conversion extends Arrivals permits Core {
         String failures = progress.failures();
         long visit = ledger.stay.number();
         ledger.place.moveEvolved(decision.after(), ledger.out);
-        // The last of several facts may have been decided when the device was elsewhere already.
-        boolean reacts = progress.pending().from() != null && !(decision instanceof Decision.Refused);
-        ledger.followOwed |=
-                reacts && !ledger.line.holdsFacts() && !ledger.rules.table().isFollowed(ledger.place.at());
+        ledger.followOwed |= isLateReaction(decision) && !ledger.rules.table().isFollowed(ledger.place.at());
         if (decision.leavesState()) {
             Transition transition = decision.transition();
             ledger.enter(transition, transition == null ? Set.of() : transition.keeps());
@@ -203,6 +200,14 @@ abstract sealed class Conversion extends Arrivals permits Core {
         boolean again = ledger.enterAgain(occurrence);
         ledger.out.settle(ledger.place.at());
         ledger.start(visit, again);
+    }
+
+    /** Whether this is the new model's reaction to a fact, decided after a step had taken the device elsewhere. */
+    private boolean isLateReaction(Decision decision) {
+        Pending pending = progress.pending();
+        return pending.from() != null
+                && !(decision instanceof Decision.Refused)
+                && pending.stepsBefore() < ledger.place.steps() - progress.stepsSent();
     }
 
     private static Outcome outcome(Decision decision, String failures) {
@@ -420,6 +425,8 @@ abstract sealed class Conversion extends Arrivals permits Core {
         } else {
             Decision found = ledger.rules.table().find(ledger.place.at(), state);
             ledger.place.moveDevice(state, ledger.out);
+            // Facts that wait are older than the answer, and may lead the new model elsewhere.
+            ledger.followOwed |= ledger.line.holdsFacts();
             follow(found, "");
         }
     }

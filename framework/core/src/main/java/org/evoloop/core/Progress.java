@@ -102,6 +102,11 @@ final class Progress {
         return isSending() || decision instanceof Decision.Inquiry;
     }
 
+    /** How many steps of the decision have been sent and have had their effect. */
+    int stepsSent() {
+        return decision != null && decision.deviceBegan() ? taken - 1 : taken;
+    }
+
     /** The step to be sent next, or being sent; null if there is none left. */
     @Nullable
     Step step() {
@@ -136,7 +141,7 @@ final class Progress {
     void decide(Decision what) {
         begin(pending());
         decision = what;
-        taken = !what.steps().isEmpty() && what.steps().get(0).byDevice() ? 1 : 0;
+        taken = what.deviceBegan() ? 1 : 0;
     }
 
     private void becomes(Work.Stage next) {

@@ -44,9 +44,12 @@ public sealed interface Decision {
 
     /** The device's state when planning begins, after the step that it took itself. */
     default State deviceStart() {
-        return steps().isEmpty() || !steps().get(0).byDevice()
-                ? before().original()
-                : steps().get(0).target();
+        return deviceBegan() ? steps().get(0).target() : before().original();
+    }
+
+    /** Whether the device took the first step by itself. */
+    default boolean deviceBegan() {
+        return !steps().isEmpty() && steps().get(0).byDevice();
     }
 
     /** Whether planning begins in {@code at}. */

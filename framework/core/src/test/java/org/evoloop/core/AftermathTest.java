@@ -72,10 +72,7 @@ class AftermathTest {
     /** The reaction to the first fact has moved the device, so that to the second comes from elsewhere. */
     @Test
     void theReactionToALateFactDoesNotPartTheNewModelFromTheDevice() {
-        ModelPair pair = new ModelPair(
-                machine("device", "A slip -> C", "C step -> B", "B slip -> A"),
-                machine("new", "A slip -> B", "B slip -> W", "W back -> A"));
-        Scene scene = Scene.of("slipping", pair, Map.of(), "step", "slip", 2);
+        Scene scene = Scene.slipping();
         ScriptedCore core = new ScriptedCore(scene).own("slip").own("slip");
 
         core.begins().sent(true).ready().planned();
@@ -88,5 +85,19 @@ class AftermathTest {
                 .find(core.core.at(), core.core.at().original())
                 .leavesState();
         assertThat(parted).as("%s", core.core.at()).isFalse();
+    }
+
+    /** A press at the device is a fact although it is a controller's event, and nobody has declared that it can be one. */
+    @Test
+    void theNewModelStaysWhereAnUndeclaredFactHasLedIt() {
+        ModelPair pair = new ModelPair(
+                machine("device", "Off press -> On", "On press -> Off"),
+                machine("new", "Off press -> On", "On press -> Wait", "Wait timeout -> Off"));
+        Scene scene = Scene.of("undeclared", pair, Map.of("Wait", "timeout"), "press", "", 2);
+        ScriptedCore core = new ScriptedCore(scene).own("press").ready().planned();
+
+        core.own("press").ready().planned();
+        assertThat(core.core.at()).hasToString("(Off, Wait)");
+        assertThat(core.core.hasNext()).isFalse();
     }
 }

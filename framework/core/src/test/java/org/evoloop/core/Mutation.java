@@ -266,7 +266,13 @@ enum Mutation {
             return input instanceof Input.Sent ? Snapshots.followOwed(after, before.followOwed()) : after;
         }
     },
-    A_REACTION_LEAVES_THE_STATES_APART("apart", Scene.bulb().with(1, Act.PRESS, Act.OWN, Act.GIVE_UP)) {
+    AN_ANSWER_MOVES_THE_DEVICE_ONLY("apart", Scene.bulb().with(1, Act.PRESS, Act.OWN, Act.GIVE_UP)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.Located ? Snapshots.followOwed(after, before.followOwed()) : after;
+        }
+    },
+    A_LATE_REACTION_LEAVES_THE_STATES_APART("apart", Scene.slipping().with(2, Act.OWN)) {
         @Override
         Snapshot undo(Snapshot before, Input input, Snapshot after) {
             return input instanceof Input.Planned ? Snapshots.followOwed(after, before.followOwed()) : after;

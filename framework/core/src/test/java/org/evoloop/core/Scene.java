@@ -96,6 +96,19 @@ record Scene(
                 2);
     }
 
+    /** A device that may slip twice before the new model has reacted to the first time by a step. */
+    static Scene slipping() {
+        return of(
+                "slipping",
+                new ModelPair(
+                        machine("device", "A slip -> C", "C slip -> D", "C step -> B", "D step -> B", "B slip -> A"),
+                        machine("new", "A slip -> B", "B slip -> W", "W back -> A")),
+                Map.of(),
+                "step",
+                "slip",
+                2);
+    }
+
     /**
      * A scene in which nothing happens.
      *

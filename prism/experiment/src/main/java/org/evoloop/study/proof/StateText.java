@@ -83,9 +83,6 @@ final class StateText {
             return "0 0 0 0 0 0 [0 0 0 0 0 0 0 0 0 0]";
         }
         Decision decision = work.decision();
-        boolean first = decision != null
-                && !decision.steps().isEmpty()
-                && decision.steps().get(0).byDevice();
         int stage = List.of(Work.Stage.READY, Work.Stage.SENDING, Work.Stage.INTERRUPTED, Work.Stage.RESUMED)
                 .indexOf(work.stage());
         return numbers(
@@ -93,7 +90,7 @@ final class StateText {
                         bit(decision != null),
                         decision == null ? 0 : Codes.of(decision, evolution),
                         stage,
-                        work.taken() - bit(first),
+                        work.taken() - bit(decision != null && decision.deviceBegan()),
                         work.meanwhile().size())
                 + text(work.pending());
     }
