@@ -141,7 +141,7 @@ class ExplorationTest {
                         scene.with(2, Act.PRESS, Act.OWN, Act.GIVE_UP).with(1, Act.STOP),
                         scene.with(2, Act.PRESS, Act.OWN, Act.END).with(1, Act.GIVE_UP, Act.RAISE),
                         scene.with(2, Act.PRESS, Act.OWN, Act.JUMP, Act.GIVE_UP)))
-                .flatMap(scene -> scene.kinds().stream());
+                .flatMap(ExplorationTest::bestAndWorst);
     }
 
     @ParameterizedTest
