@@ -72,9 +72,7 @@ public final class Succession {
      * new model has yet to follow, they remain as they are.
      */
     private Configuration end(Configuration at, Configuration there) {
-        return running.find(at, at.original()).leavesState()
-                ? there
-                : next.find(there, there.original()).after();
+        return running.isFollowed(at) ? next.find(there, there.original()).after() : there;
     }
 
     /** The successor of {@code state} of the running original model; null if it has none. */

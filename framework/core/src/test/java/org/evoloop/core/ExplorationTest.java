@@ -140,7 +140,7 @@ class ExplorationTest {
                         scene.with(4, Act.PRESS).with(3, Act.OWN),
                         scene.with(2, Act.PRESS, Act.OWN, Act.GIVE_UP).with(1, Act.STOP),
                         scene.with(2, Act.PRESS, Act.OWN, Act.END).with(1, Act.GIVE_UP, Act.RAISE),
-                        scene.with(2, Act.PRESS, Act.OWN, Act.JUMP, Act.GIVE_UP)))
+                        scene.with(2, Act.PRESS, Act.OWN, Act.GIVE_UP).with(1, Act.JUMP)))
                 .flatMap(ExplorationTest::bestAndWorst);
     }
 
