@@ -27,8 +27,8 @@ final class Ledger {
 
     /**
      * Whether the new model has to follow the device once no fact waits any more, since facts alone do not lead it
-     * there: some were lost, or decided after a step or reported before the device's own answer, a step had its effect
-     * after it was given up, or other models have taken over that do not have the two states together.
+     * there: some were lost, were decided only after a step, or are older than the device's own answer; a step had its
+     * effect after it was given up; or other models have taken over that do not have the two states together.
      */
     boolean followOwed;
 

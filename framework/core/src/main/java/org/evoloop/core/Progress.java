@@ -102,9 +102,9 @@ final class Progress {
         return isSending() || decision instanceof Decision.Inquiry;
     }
 
-    /** How many steps of the decision have been sent and have had their effect. */
+    /** How many of the decision's steps have been sent and have had their effect. */
     int stepsSent() {
-        return decision != null && decision.deviceBegan() ? taken - 1 : taken;
+        return Work.stepsSent(decision, taken);
     }
 
     /** The step to be sent next, or being sent; null if there is none left. */

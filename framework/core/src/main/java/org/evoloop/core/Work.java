@@ -46,6 +46,16 @@ public record Work(
         return stage == Stage.SENDING;
     }
 
+    /** How many of the decision's steps have been sent and have had their effect. */
+    public int stepsSent() {
+        return stepsSent(decision, taken);
+    }
+
+    /** Of {@code taken} steps, those that the device did not take by itself. */
+    static int stepsSent(@Nullable Decision decision, int taken) {
+        return decision != null && decision.deviceBegan() ? taken - 1 : taken;
+    }
+
     Work later(long nanos) {
         return new Work(
                 pending.later(nanos),

@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.jspecify.annotations.Nullable;
 
@@ -80,16 +79,11 @@ final class Likeness {
                         of(work.pending()),
                         work.decision(),
                         work.taken(),
-                        work.pending().stepsBefore() < now.steps() - sent(work),
+                        work.pending().stepsBefore() < now.steps() - work.stepsSent(),
                         work.effectsRun(),
                         work.failedEffects().isEmpty(),
                         work.stage(),
                         ofAll(work.meanwhile()));
-    }
-
-    private static int sent(Work work) {
-        Decision decision = work.decision();
-        return decision != null && decision.deviceBegan() ? work.taken() - 1 : work.taken();
     }
 
     private @Nullable Object ofDoubt(@Nullable Doubt doubt) {

@@ -96,7 +96,7 @@ record Scene(
                 2);
     }
 
-    /** A device that may slip twice before the new model has reacted to the first time by a step. */
+    /** A device that may slip again before the new model reacts to the first slip, for which it sends a step. */
     static Scene slipping() {
         return of(
                 "slipping",

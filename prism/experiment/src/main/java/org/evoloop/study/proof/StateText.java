@@ -90,7 +90,7 @@ final class StateText {
                         bit(decision != null),
                         decision == null ? 0 : Codes.of(decision, evolution),
                         stage,
-                        work.taken() - bit(decision != null && decision.deviceBegan()),
+                        work.stepsSent(),
                         work.meanwhile().size())
                 + text(work.pending());
     }
