@@ -131,18 +131,28 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         }
     }
 
+    /** Says that the converter has no room for {@code pressed}. */
+    final IllegalStateException loss(Occurrence pressed) {
+        return new IllegalStateException(converter() + " has a full queue, so " + pressed.label()
+                + " is dropped; try again when it has handled the events that wait");
+    }
+
     /** Says why the converter refuses {@code pressed}. */
     final IllegalStateException refusal(Occurrence pressed) {
         MapeLoop<Occurrence, ?, ?> joined = loop;
-        LoopConfig attached = config;
         LoopState state = joined == null ? LoopState.NEW : joined.state();
-        return new IllegalStateException("the converter " + (attached == null ? name() : attached.name())
+        return new IllegalStateException(converter()
                 + switch (state) {
                     case RUNNING ->
                         " cannot write its journal, so " + pressed.label() + " is refused; make room on its disk";
                     case EXITED -> " is closed, so " + pressed.label() + " is refused";
                     default -> " is stopped, so " + pressed.label() + " is refused; start it first";
                 });
+    }
+
+    private String converter() {
+        LoopConfig attached = config;
+        return "the converter " + (attached == null ? name() : attached.name());
     }
 
     /** Whether this monitor has a thread of its own; without, {@link #getEvent} must not wait. */

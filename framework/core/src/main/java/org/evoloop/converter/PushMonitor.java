@@ -46,8 +46,8 @@ public class PushMonitor extends EventMonitor {
      * A control of the controller was operated.
      *
      * @throws IllegalArgumentException if neither model knows the event; the message lists the most similar names
-     * @throws IllegalStateException if the converter is not running or cannot write its journal, or this monitor is not
-     *     part of one
+     * @throws IllegalStateException if the event is lost: the converter is not running, has no room for it in its queue
+     *     or cannot write its journal, or this monitor is not part of one
      */
     public final void press(String event) {
         press(event, Values.NONE);
@@ -57,8 +57,11 @@ public class PushMonitor extends EventMonitor {
     public final void press(String event, Values values) {
         Occurrence pressed = fromController(event, values);
         requireHeard(pressed);
-        if (pass(pressed) == Admission.REFUSED) {
+        Admission admission = pass(pressed);
+        if (admission == Admission.REFUSED) {
             throw refusal(pressed);
+        } else if (admission == Admission.DROPPED || admission == Admission.FIRST_DROPPED) {
+            throw loss(pressed);
         }
     }
 

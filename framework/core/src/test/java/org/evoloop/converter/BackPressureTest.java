@@ -1,6 +1,7 @@
 package org.evoloop.converter;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 
 import java.util.List;
 import java.util.Set;
@@ -84,6 +85,35 @@ class BackPressureTest {
             assertThat(robot.converter.history().subList(1, 9))
                     .extracting(entry -> entry.occurrence().label())
                     .containsExactlyElementsOf(pressed);
+        }
+    }
+
+    @Test
+    void aPressForWhichThereIsNoRoomFails() throws InterruptedException {
+        CountDownLatch sending = new CountDownLatch(1);
+        CountDownLatch proceed = new CountDownLatch(1);
+        try (LiveRobot robot = new LiveRobot(
+                threading,
+                NewFunction.none(),
+                1,
+                made -> made.converter.addExecute(made.device("Device", step -> {
+                    sending.countDown();
+                    LiveRobot.await(proceed);
+                })))) {
+            robot.panel.press("Clean");
+            LiveRobot.await(sending);
+            robot.panel.press("timeout");
+
+            for (int again = 0; again < 2; again++) {
+                assertThatIllegalStateException()
+                        .isThrownBy(() -> robot.panel.press("Clean"))
+                        .withMessage("the converter robot has a full queue, so Clean is dropped; try again when it has "
+                                + "handled the events that wait");
+            }
+            proceed.countDown();
+            robot.awaitHistory(4);
+
+            assertThat(robot.converter.status().queue().dropped()).isEqualTo(2);
         }
     }
 }

@@ -19,7 +19,8 @@ import org.junit.jupiter.api.Test;
 class ListenerRemovalTest {
     private final SystemClock clock = new SystemClock();
     private final PushMonitor wallSwitch = new PushMonitor("WallSwitch");
-    private final SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("removal", clock));
+    private final SystemEventConverter converter =
+            new SystemEventConverter(LoopConfig.defaults("removal", clock).withQueueCapacity(20));
 
     private static final class Heard implements ConverterListener {
         final CopyOnWriteArrayList<HistoryEntry> entries = new CopyOnWriteArrayList<>();

@@ -1,6 +1,7 @@
 package org.evoloop.converter;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 
 import java.util.concurrent.CountDownLatch;
 import org.evoloop.RecordingExecute;
@@ -74,7 +75,7 @@ class QueueRoomTest {
             LiveRobot.until(() -> converter.history().size() == 1);
             panel.press("grind");
             panel.press("grind");
-            panel.press("grind");
+            assertThatIllegalStateException().isThrownBy(() -> panel.press("grind"));
             assertThat(converter.status().queue().dropped()).isEqualTo(1);
 
             full.countDown();
