@@ -55,6 +55,10 @@ import org.slf4j.LoggerFactory;
 public final class Gateway implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Gateway.class);
     private static final int BATCH = 500;
+
+    /** They are kept in memory, too. A device repeats what is not confirmed. */
+    static final int MOST_WAITING = 100_000;
+
     private static final long PAUSE_MILLIS = 1_000;
     private static final Duration POLL = Duration.ofMillis(200);
     private static final int KAFKA_LIMIT_MILLIS = 10_000;
@@ -118,7 +122,10 @@ public final class Gateway implements AutoCloseable {
 
     // From the devices
 
-    /** Stores a record to be sent, unless an earlier one is missing. A record without a time gets the current one. */
+    /**
+     * Stores a record to be sent, unless an earlier one is missing or too many wait. A record without a time gets the
+     * current one.
+     */
     private void store(Topic topic, String device, Message message) {
         String payload = message.payload().strip();
         String record = payload.startsWith("{") && !payload.contains("\"atMillis\"")
@@ -131,6 +138,10 @@ public final class Gateway implements AutoCloseable {
         }
         if (isEarlierMissing(device, number, record)) {
             LOG.debug("record {} of {} is not stored: it comes again after those before it", number, device);
+            return;
+        }
+        if (isFull()) {
+            LOG.debug("record {} of {} is not stored: {} wait already", number, device, MOST_WAITING);
             return;
         }
         outbox.add(topic.name(), device, record);
@@ -147,6 +158,10 @@ public final class Gateway implements AutoCloseable {
         }
         long first = number(record, "first");
         return first > 0 && first < number;
+    }
+
+    private boolean isFull() {
+        return outbox.size() >= MOST_WAITING;
     }
 
     /** Acknowledges a numbered record, so that the device need not send it again. */
@@ -179,7 +194,8 @@ public final class Gateway implements AutoCloseable {
                 report(
                         isFenced(unreachable)
                                 ? "another gateway has the name '" + name + "'; give each its own with --gateway"
-                                : "Kafka is not reached; the devices' records are stored");
+                                : "Kafka is not reached; the devices' records are "
+                                        + (isFull() ? "no longer stored" : "stored"));
                 LOG.debug("the records remain stored", unreachable);
                 pause();
             } catch (UncheckedIOException unwritable) {

@@ -22,6 +22,7 @@ import org.evoloop.mqtt.BrokerAddress;
 import org.evoloop.mqtt.BrokerConnection;
 import org.evoloop.mqtt.Message;
 import org.evoloop.mqtt.Mosquitto;
+import org.evoloop.mqtt.edge.Outbox;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -114,6 +115,45 @@ class GatewayTest {
             assertThat(kept).containsExactly(kept(7), kept(8), kept(8), kept(12), kept(20));
             assertThat(cluster.fleet()).isEqualTo(FLEET);
         }
+    }
+
+    /** Its device keeps what the gateway does not, and repeats it. */
+    @Test
+    void aGatewayThatHoldsTooManyRecordsKeepsNoMoreUntilSomeAreSent() throws Exception {
+        try (Outbox former = new Outbox(directory.resolve("journal"), 0)) {
+            for (int waiting = 1; waiting < Gateway.MOST_WAITING; waiting++) {
+                former.write(Topic.OCCURRENCES.name(), "lamp", "{}");
+            }
+        }
+        List<String> kept = new CopyOnWriteArrayList<>();
+        int port = LocalBroker.freePort();
+        try (Mosquitto mosquitto = new Mosquitto(directory).start();
+                BrokerConnection device = new BrokerConnection(BrokerAddress.parse(mosquitto.url()), "device");
+                Gateway gateway = gateway("127.0.0.1:" + port, mosquitto)) {
+            device.subscribe("evoloop/lamp/kept", message -> kept.add(message.payload()));
+            device.open();
+            gateway.start();
+            Awaitility.await().atMost(LIMIT).until(() -> device.isUp() && gateway.reachesDevices());
+            numbered(device, 1);
+            numbered(device, 2);
+            Awaitility.await().atMost(LIMIT).until(() -> last(statuses).contains("records are no longer stored"));
+            assertThat(gateway.waiting()).isEqualTo(Gateway.MOST_WAITING);
+
+            try (LocalBroker broker = LocalBroker.start(directory.resolve("kafka"), port, LocalBroker.freePort());
+                    Cluster cluster = new Cluster(broker.bootstrap(), FLEET, 1)) {
+                Awaitility.await().atMost(LIMIT).until(() -> gateway.waiting() == 0);
+                numbered(device, 2);
+                Awaitility.await().atMost(LIMIT).until(() -> kept.contains(kept(2)));
+                assertThat(kept).containsExactly(kept(1), kept(2));
+                assertThat(cluster.fleet()).isEqualTo(FLEET);
+            }
+        }
+    }
+
+    private static void numbered(BrokerConnection device, int number) {
+        device.publish(Message.event(
+                "evoloop/lamp/occurrence",
+                "{\"number\":" + number + ",\"first\":" + number + ",\"event\":\"switch\"}"));
     }
 
     /** Otherwise the fleet would take its records for repetitions. */

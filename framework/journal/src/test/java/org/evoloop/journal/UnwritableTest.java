@@ -2,6 +2,7 @@ package org.evoloop.journal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -49,6 +50,7 @@ class UnwritableTest {
             assertThatThrownBy(() -> {
                         while (true) {
                             buttons.press("next");
+                            await().until(() -> converter.status().queue().depth() == 0);
                         }
                     })
                     .isInstanceOf(IllegalStateException.class)

@@ -69,11 +69,12 @@ public final class Outbox implements AutoCloseable {
         try {
             Files.createDirectories(directory);
             owner = owner(directory.resolve("outbox.lock"));
-            sent = Files.exists(positionFile)
-                    ? numberIn(Files.readString(positionFile).strip(), positionFile)
-                    : before;
+            boolean nothingSent = !Files.exists(positionFile);
+            sent = nothingSent
+                    ? before
+                    : numberIn(Files.readString(positionFile).strip(), positionFile);
             number = sent;
-            read();
+            read(nothingSent);
             lines = new RandomAccessFile(file.toFile(), "rw");
             lines.seek(lines.length());
         } catch (IOException e) {
@@ -109,7 +110,7 @@ public final class Outbox implements AutoCloseable {
     }
 
     /** An incomplete last line does not count; it is cut off. */
-    private void read() throws IOException {
+    private void read(boolean nothingSent) throws IOException {
         if (!Files.exists(file)) {
             return;
         }
@@ -120,6 +121,10 @@ public final class Outbox implements AutoCloseable {
             int end = text.indexOf(END, begin);
             String[] parts = text.substring(begin, end).split(String.valueOf(BETWEEN), 4);
             long own = numberIn(parts[0], file);
+            if (nothingSent && begin == 0) {
+                sent = own - 1;
+                number = sent;
+            }
             number = Math.max(number, own);
             if (own > sent && parts.length == 4) {
                 waiting.add(new Entry(own, parts[1], parts[2], parts[3]));

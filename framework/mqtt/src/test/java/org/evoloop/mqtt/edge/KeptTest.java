@@ -40,6 +40,23 @@ class KeptTest {
         }
     }
 
+    /** The clock, from which a new outbox counts on, is later each time. */
+    @Test
+    void whatWasNeverSentIsThereAgainWhenTheNextProgramStartsLater() throws Exception {
+        try (Outbox outbox = new Outbox(directory, 1_000)) {
+            outbox.add("occurrence", "a", "{1}");
+            outbox.add("occurrence", "a", "{2}");
+        }
+        try (Outbox outbox = new Outbox(directory, 2_000)) {
+            outbox.add("occurrence", "a", "{3}");
+            assertThat(outbox.first(9, 1)).extracting(Outbox.Entry::number).containsExactly(1_001L, 1_002L, 1_003L);
+            outbox.sent(1_002);
+        }
+        try (Outbox outbox = new Outbox(directory, 3_000)) {
+            assertThat(outbox.first(9, 1)).containsExactly(new Outbox.Entry(1_003, "occurrence", "a", "{3}"));
+        }
+    }
+
     @Test
     void aRecordMayContainCarriageReturns() throws Exception {
         try (Outbox outbox = new Outbox(directory, 0)) {
