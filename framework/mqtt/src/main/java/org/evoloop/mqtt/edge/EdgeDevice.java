@@ -46,6 +46,7 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
     private static final String EFFECT = "effect";
     private static final int WINDOW = 100;
     private static final long POLL_MILLIS = 100;
+    private static final long PAUSE_MILLIS = 1_000;
     private static final long AGAIN_NANOS = TimeUnit.SECONDS.toNanos(5);
     private static final Duration END_LIMIT = Duration.ofSeconds(5);
 
@@ -181,46 +182,60 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
         }
     }
 
-    /**
-     * Publishes what waits, and everything again if the first of it is not confirmed in time: other records may have
-     * been published since, which the gateway does not store as long as that one is missing.
-     */
     private void sendAll() {
-        long forcedTo = 0;
-        long publishedTo = 0;
-        long first = 0;
-        long sinceNanos = 0;
-        long connects = -1;
+        Sender sending = new Sender();
         try {
             while (!closing) {
-                long last = outbox.awaitAfter(forcedTo, POLL_MILLIS);
-                if (last > forcedTo) {
-                    outbox.force();
-                    forcedTo = last;
-                }
-                outbox.sent(confirmed.get());
-                reportLink();
-                List<Outbox.Entry> entries = gateway.isUp() ? outbox.first(WINDOW, 0) : List.of();
-                if (entries.isEmpty()) {
-                    continue;
-                }
-                long oldest = entries.get(0).number();
-                boolean late = oldest == first && clock.nanoTime() - sinceNanos > AGAIN_NANOS;
-                boolean again = late || connects != gateway.connects();
-                if (again || oldest != first) {
-                    first = oldest;
-                    sinceNanos = clock.nanoTime();
-                    connects = gateway.connects();
-                }
-                for (Outbox.Entry entry : entries) {
-                    if (entry.number() <= forcedTo && (again || entry.number() > publishedTo)) {
-                        publish(entry, first);
-                        publishedTo = Math.max(publishedTo, entry.number());
-                    }
+                try {
+                    sending.round();
+                } catch (UncheckedIOException unwritable) {
+                    // As on a full disk: there may be room later.
+                    LOG.error("the records of {} wait to be written: {}", id, unwritable.getMessage());
+                    TimeUnit.MILLISECONDS.sleep(PAUSE_MILLIS);
                 }
             }
         } catch (InterruptedException closed) {
             // Waiting records are in the file.
+        }
+    }
+
+    /**
+     * Publishes what waits, and everything again if the first of it is not confirmed in time: other records may have
+     * been published since, which the gateway does not store as long as that one is missing.
+     */
+    private final class Sender {
+        private long forcedTo;
+        private long publishedTo;
+        private long first;
+        private long sinceNanos;
+        private long connects = -1;
+
+        void round() throws InterruptedException {
+            long last = outbox.awaitAfter(forcedTo, POLL_MILLIS);
+            if (last > forcedTo) {
+                outbox.force();
+                forcedTo = last;
+            }
+            outbox.sent(confirmed.get());
+            reportLink();
+            List<Outbox.Entry> entries = gateway.isUp() ? outbox.first(WINDOW, 0) : List.of();
+            if (entries.isEmpty()) {
+                return;
+            }
+            long oldest = entries.get(0).number();
+            boolean late = oldest == first && clock.nanoTime() - sinceNanos > AGAIN_NANOS;
+            boolean again = late || connects != gateway.connects();
+            if (again || oldest != first) {
+                first = oldest;
+                sinceNanos = clock.nanoTime();
+                connects = gateway.connects();
+            }
+            for (Outbox.Entry entry : entries) {
+                if (entry.number() <= forcedTo && (again || entry.number() > publishedTo)) {
+                    publish(entry, first);
+                    publishedTo = Math.max(publishedTo, entry.number());
+                }
+            }
         }
     }
 

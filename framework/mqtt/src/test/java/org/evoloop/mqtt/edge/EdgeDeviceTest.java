@@ -243,6 +243,26 @@ class EdgeDeviceTest {
         }
     }
 
+    /** Here a directory stands where the file is to be written, instead of a full disk. */
+    @Test
+    void aDeviceThatCouldNotWriteWhatIsConfirmedGoesOn() throws Exception {
+        try (Lamp lamp = new Lamp()) {
+            Path obstacle = Files.createDirectory(directory.resolve("edge").resolve("outbox.sent.new"));
+            lamp.panel.press("switch");
+            await(1);
+            lamp.panel.press("switch");
+            await(2);
+            Files.delete(obstacle);
+            lamp.panel.press("switch");
+            await(3);
+            Path sent = directory.resolve("edge").resolve("outbox.sent");
+            Awaitility.await()
+                    .atMost(LIMIT)
+                    .until(() -> Files.exists(sent)
+                            && Files.readString(sent).strip().equals(String.valueOf(NOW.toEpochMilli() + 3)));
+        }
+    }
+
     @Test
     void whatIsObservedIsInTheFileAtOnceSoThatAKilledProcessLosesNothing() throws Exception {
         Path killed = directory.resolve("killed");
