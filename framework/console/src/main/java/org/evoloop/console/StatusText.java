@@ -8,7 +8,6 @@ import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.evoloop.converter.ConverterStatus;
@@ -17,11 +16,10 @@ import org.evoloop.converter.HistoryEntry;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.LoopState;
+import org.evoloop.statemachine.Names;
 
 /** The status of a converter, for people. */
 final class StatusText {
-    private static final Pattern CONTROL = Pattern.compile("[\\p{Cc}&&[^\t]]");
-
     private static final DateTimeFormatter TIME_OF_DAY = DateTimeFormatter.ofPattern("HH:mm:ss.SSS", Locale.ROOT);
 
     private static final DateTimeFormatter SECOND = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm:ss", Locale.ROOT);
@@ -87,8 +85,8 @@ final class StatusText {
 
     /** In one line: the current states, and since when they are only the last known ones. */
     static String states(ConverterStatus status) {
-        return "original " + status.states().original() + ", new "
-                + status.states().evolved()
+        return "original " + Names.inOneLine(status.states().original().name()) + ", new "
+                + Names.inOneLine(status.states().evolved().name())
                 + status.lastKnownSince()
                         .map(since -> "; last known, since " + SECOND.format(since.atZone(ZoneId.systemDefault())))
                         .orElse("");
@@ -163,16 +161,8 @@ final class StatusText {
         return count == 0 ? "" : before + count + (count == 1 ? " failure: " : " failures, the last: ") + last;
     }
 
-    /**
-     * {@code text} with {@code ?} for each control character but tabs: what functions and devices say may contain some
-     * that look like another line or change the terminal.
-     */
-    private static String inOneLine(String text) {
-        return CONTROL.matcher(text).replaceAll("?");
-    }
-
     private static void line(PrintStream out, String label, String text) {
-        out.println(String.format(Locale.ROOT, "%-12s%s", label, inOneLine(text)));
+        out.println(String.format(Locale.ROOT, "%-12s%s", label, Names.inOneLine(text)));
     }
 
     private static String conversionTime(ConversionTime time) {
@@ -219,7 +209,7 @@ final class StatusText {
             String change = entry.before().equals(entry.after())
                     ? "in " + entry.before()
                     : entry.before() + " -> " + entry.after();
-            out.println(inOneLine(
+            out.println(Names.inOneLine(
                     entry.number() + "  " + TIME_OF_DAY.format(entry.at().atZone(ZoneId.systemDefault())) + "  "
                             + entry.occurrence() + "  " + change + "  " + lowerCase(entry.outcome())
                             + (entry.detail().isEmpty() ? "" : ": " + entry.detail())));

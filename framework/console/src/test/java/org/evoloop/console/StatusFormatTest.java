@@ -168,7 +168,8 @@ class StatusFormatTest {
     void whatAFunctionSaysStaysInItsLine() {
         Captured out = new Captured();
         ConverterStatus odd = running(
-                new ConverterStatus.RunningFunction("Move", "", "half\nstates      forged\u001b[2J", List.of()), null);
+                new ConverterStatus.RunningFunction("Move", "", "half\nstates      forged\u2028\u001b[2J", List.of()),
+                null);
         Configuration at = BUSY.states();
         Occurrence event = new Occurrence.Heard(new Event("Spot"), Values.of("note", "a\nb"), Source.CONTROLLER, 0, 0);
 
@@ -179,7 +180,7 @@ class StatusFormatTest {
                 out.stream);
 
         assertThat(out.lines())
-                .contains("now         Move: half?states      forged?[2J")
+                .contains("now         Move: half?states      forged??[2J")
                 .last()
                 .asString()
                 .endsWith("  Spot (controller, note=a?b)  in (On, Move)  failed: 500??no");

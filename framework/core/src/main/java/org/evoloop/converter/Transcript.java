@@ -8,6 +8,7 @@ import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -15,6 +16,7 @@ import org.slf4j.LoggerFactory;
 
 /**
  * The log of the paper's experiment, word for word, one line per message, written to the SLF4J logger {@value #LOGGER}.
+ * A line break in a name or in what a function says is written as {@code ?}.
  *
  * <p>The lines of one event are kept together, and logged by {@link #say} after it has ended, so that a slow logger
  * delays no event. Output of a new function meanwhile follows after them.
@@ -220,7 +222,7 @@ final class Transcript {
                     format = (String) ready.remove();
                     argument = ready.remove();
                 }
-                LOG.info(format, argument);
+                LOG.info(format, Names.inOneLine(argument.toString()));
             }
         }
     }

@@ -1,5 +1,7 @@
 package org.evoloop.evolution;
 
+import static java.util.Objects.requireNonNull;
+
 import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
@@ -22,10 +24,11 @@ public final class Configuration {
     /**
      * @param original the device's state
      * @param evolved the evolved system's state
+     * @throws NullPointerException if one of them is null; the message says which
      */
     public Configuration(State original, State evolved) {
-        this.original = original;
-        this.evolved = evolved;
+        this.original = requireNonNull(original, "the device's state is null");
+        this.evolved = requireNonNull(evolved, "the evolved system's state is null");
         this.hash = 30 * original.hashCode() + evolved.hashCode();
     }
 

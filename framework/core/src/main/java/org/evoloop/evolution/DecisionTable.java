@@ -1,5 +1,7 @@
 package org.evoloop.evolution;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
@@ -79,9 +81,11 @@ public final class DecisionTable {
      * Explores every configuration that is reachable from the initial one.
      *
      * @param pair a valid pair, see {@link ModelPair#requireValid()}
+     * @throws NullPointerException if an argument is null; the message says which
      */
     public static DecisionTable compile(ModelPair pair, DeviceEvents device) {
-        DecisionTable table = new DecisionTable(pair, device);
+        DecisionTable table = new DecisionTable(
+                requireNonNull(pair, "the models are null"), requireNonNull(device, "the device's events are null"));
         table.reach(pair.initial());
         table.explore(false, table.problems);
         table.expected = table.reached.size();

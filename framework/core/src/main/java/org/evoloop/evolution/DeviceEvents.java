@@ -1,5 +1,7 @@
 package org.evoloop.evolution;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.Map;
@@ -35,8 +37,17 @@ public record DeviceEvents(
     /** The highest cost of one event. */
     public static final int MAX_COST = 1_000_000;
 
-    /** @throws IllegalArgumentException if a cost is out of range */
+    /**
+     * @throws NullPointerException if one of them is null; the message says which
+     * @throws IllegalArgumentException if a cost is out of range
+     */
     public DeviceEvents {
+        requireNonNull(sendable, "the events that can be sent are null; Set.of() are none");
+        requireNonNull(spontaneous, "the device's own events are null; Set.of() are none");
+        requireNonNull(costs, "the costs of events are null; Map.of() are none");
+        requireNonNull(doNotPass, "the states not to be passed are null; Set.of() are none");
+        requireNonNull(boundGuards, "the bound guards are null; Set.of() are none");
+        requireNonNull(onFailure, "what follows on failure is null; Map.of() is nothing");
         sendable = Set.copyOf(sendable);
         spontaneous = Set.copyOf(spontaneous);
         costs = Map.copyOf(costs);

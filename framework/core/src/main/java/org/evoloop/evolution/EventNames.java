@@ -1,5 +1,7 @@
 package org.evoloop.evolution;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Set;
@@ -16,14 +18,15 @@ import org.evoloop.statemachine.Names;
 public final class EventNames {
     private final Map<String, Event> known = new HashMap<>();
 
-    /** The names of {@code events}. */
+    /** The names of {@code events}. @throws NullPointerException if the set is null */
     public EventNames(Set<Event> events) {
-        events.forEach(this::add);
+        requireNonNull(events, "the events are null; Set.of() are none").forEach(this::add);
     }
 
-    /** The events of both models. */
+    /** The events of both models. @throws NullPointerException if {@code pair} is null */
     public static EventNames of(ModelPair pair) {
-        EventNames names = new EventNames(pair.evolved().events());
+        EventNames names = new EventNames(
+                requireNonNull(pair, "the models are null").evolved().events());
         pair.original().events().forEach(names::add);
         return names;
     }

@@ -166,6 +166,11 @@ public sealed interface Occurrence {
      * @param why for people
      */
     record InDoubt(String why, long observedNanos) implements Occurrence {
+        /** The reason may not be null. */
+        public InDoubt {
+            requireNonNull(why, "the reason of a doubt is null");
+        }
+
         @Override
         public String label() {
             return "in doubt";
@@ -193,6 +198,11 @@ public sealed interface Occurrence {
      * @param property its name
      */
     record Violated(String property, long observedNanos) implements Occurrence {
+        /** The name may not be null. */
+        public Violated {
+            requireNonNull(property, "the name of a violated property is null");
+        }
+
         @Override
         public String label() {
             return "violation of " + property;
@@ -220,6 +230,11 @@ public sealed interface Occurrence {
      * @param model the name of the new model
      */
     record Evolved(String model, long observedNanos) implements Occurrence {
+        /** The name may not be null. */
+        public Evolved {
+            requireNonNull(model, "the name of the new model is null");
+        }
+
         @Override
         public String label() {
             return "evolved to " + model;

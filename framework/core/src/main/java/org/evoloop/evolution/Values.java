@@ -1,5 +1,7 @@
 package org.evoloop.evolution;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Collections;
 import java.util.Map;
 import java.util.TreeMap;
@@ -20,17 +22,20 @@ public record Values(Map<String, Object> byName) {
     /** The largest number of values of an event. */
     public static final int MOST = 64;
 
+    private static final String NO_NAME = "the name of a value is null";
+
     /** The largest total length of names and strings, in characters. */
     public static final int MOST_CHARACTERS = 16_384;
 
     /**
      * Values are bounded, since events are queued, remembered and recorded in journals.
      *
+     * @throws NullPointerException if {@code byName} or a name in it is null
      * @throws IllegalArgumentException if a value is neither a string, a number nor a boolean, or there are more than
      *     {@value #MOST}, or they are longer than {@value #MOST_CHARACTERS} characters in all
      */
     public Values {
-        requireFew(byName);
+        requireFew(requireNonNull(byName, "the values are null; Values.NONE are none"));
         TreeMap<String, Object> sorted = new TreeMap<>();
         byName.forEach((name, value) -> sorted.put(name, plain(name, value)));
         byName = sorted.isEmpty() ? Map.of() : Collections.unmodifiableMap(sorted);
@@ -43,7 +48,8 @@ public record Values(Map<String, Object> byName) {
         }
         long characters = 0;
         for (Map.Entry<String, Object> each : byName.entrySet()) {
-            characters += each.getKey().length() + (each.getValue() instanceof String text ? text.length() : 0);
+            characters += requireNonNull(each.getKey(), NO_NAME).length()
+                    + (each.getValue() instanceof String text ? text.length() : 0);
         }
         if (characters > MOST_CHARACTERS) {
             throw new IllegalArgumentException("the values of an event have " + characters + " characters, at most "
@@ -71,7 +77,7 @@ public record Values(Map<String, Object> byName) {
     /** A copy with this value added or replaced. @throws IllegalArgumentException as the constructor */
     public Values with(String name, Object value) {
         TreeMap<String, Object> more = new TreeMap<>(byName);
-        more.put(name, value);
+        more.put(requireNonNull(name, NO_NAME), value);
         return new Values(more);
     }
 
@@ -96,7 +102,7 @@ public record Values(Map<String, Object> byName) {
     }
 
     private <T> T require(String name, Class<T> type) {
-        Object value = byName.get(name);
+        Object value = byName.get(requireNonNull(name, NO_NAME));
         if (!type.isInstance(value)) {
             throw new IllegalArgumentException(
                     "there is no " + type.getSimpleName() + " named " + name + " in " + this);

@@ -1,5 +1,7 @@
 package org.evoloop.migration;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
@@ -14,6 +16,8 @@ import org.evoloop.statemachine.State;
 /**
  * The exceptions, given by the author of a swap, for states, timers and functions that are not mapped by name.
  * Everything else is mapped by name.
+ *
+ * <p>No argument may be null; a {@link NullPointerException} says which one is.
  *
  * <p>Threading: immutable.
  *
@@ -32,17 +36,27 @@ public record Mapping(
         Set<TimerOf> restartedTimers,
         Set<State> restartedFunctions,
         Set<State> keptFunctions) {
+    private static final String NO_STATE = "the state to be mapped is null";
+    private static final String NO_SUCCESSOR = "the successor of a state is null";
+    private static final String NO_TIMER = "the timer to be mapped is null";
+
     public Mapping {
-        device = Map.copyOf(device);
-        states = Map.copyOf(states);
-        timers = Map.copyOf(timers);
-        restartedTimers = Set.copyOf(restartedTimers);
-        restartedFunctions = Set.copyOf(restartedFunctions);
-        keptFunctions = Set.copyOf(keptFunctions);
+        device = Map.copyOf(requireNonNull(device, "the successors of the device's states are null"));
+        states = Map.copyOf(requireNonNull(states, "the successors of states are null"));
+        timers = Map.copyOf(requireNonNull(timers, "the successors of timers are null"));
+        restartedTimers = Set.copyOf(requireNonNull(restartedTimers, "the timers that restart are null"));
+        restartedFunctions = Set.copyOf(requireNonNull(restartedFunctions, "the functions that restart are null"));
+        keptFunctions = Set.copyOf(requireNonNull(keptFunctions, "the functions that go on are null"));
     }
 
     /** A timer of a state of the running new model, by the name of its event. */
-    public record TimerOf(State state, String timer) {}
+    public record TimerOf(State state, String timer) {
+        /** Nothing may be null. */
+        public TimerOf {
+            requireNonNull(state, "the state of a timer is null");
+            requireNonNull(timer, "the name of a timer is null");
+        }
+    }
 
     /** Maps everything by name. */
     public static Mapping byName() {
@@ -91,28 +105,28 @@ public record Mapping(
     /** A copy in which {@code state} of the running new model becomes {@code next}. */
     public Mapping withState(State state, State next) {
         Map<State, State> all = new HashMap<>(states);
-        all.put(state, next);
+        all.put(requireNonNull(state, NO_STATE), requireNonNull(next, NO_SUCCESSOR));
         return new Mapping(device, all, timers, restartedTimers, restartedFunctions, keptFunctions);
     }
 
     /** A copy in which {@code state} of the running original model becomes {@code next}. */
     public Mapping withDeviceState(State state, State next) {
         Map<State, State> all = new HashMap<>(device);
-        all.put(state, next);
+        all.put(requireNonNull(state, NO_STATE), requireNonNull(next, NO_SUCCESSOR));
         return new Mapping(all, states, timers, restartedTimers, restartedFunctions, keptFunctions);
     }
 
     /** A copy in which {@code timer} continues as the timer {@code next} of the next state. */
     public Mapping withTimer(TimerOf timer, String next) {
         Map<TimerOf, String> all = new HashMap<>(timers);
-        all.put(timer, next);
+        all.put(requireNonNull(timer, NO_TIMER), requireNonNull(next, "the successor of a timer is null"));
         return new Mapping(device, states, all, restartedTimers, restartedFunctions, keptFunctions);
     }
 
     /** A copy in which {@code timer} starts again. */
     public Mapping withRestarted(TimerOf timer) {
         Set<TimerOf> all = new HashSet<>(restartedTimers);
-        all.add(timer);
+        all.add(requireNonNull(timer, NO_TIMER));
         return new Mapping(device, states, timers, all, restartedFunctions, keptFunctions);
     }
 
@@ -120,7 +134,7 @@ public record Mapping(
     public Mapping withFunction(State state, boolean continues) {
         Set<State> kept = new HashSet<>(keptFunctions);
         Set<State> restarted = new HashSet<>(restartedFunctions);
-        (continues ? kept : restarted).add(state);
+        (continues ? kept : restarted).add(requireNonNull(state, NO_STATE));
         return new Mapping(device, states, timers, restartedTimers, restarted, kept);
     }
 }

@@ -1,9 +1,10 @@
 package org.evoloop.statemachine;
 
+import static java.util.Objects.requireNonNull;
+
 import java.time.Duration;
 import java.time.temporal.ChronoUnit;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
@@ -27,14 +28,21 @@ public final class Event implements Comparable<Event> {
     /**
      * @param name as drawn, not blank; a name such as {@code tm(2s)} is a time trigger
      * @param guards the conditions that must all hold, as drawn; empty for an event without conditions
-     * @throws ModelException if {@code name} is blank
+     * @throws NullPointerException if an argument or one of the guards is null; the message says which
+     * @throws ModelException if {@code name} or one of the guards is blank
      */
     public Event(String name, List<String> guards) {
-        if (Objects.requireNonNull(name, "the name of an event is null").isBlank()) {
+        if (requireNonNull(name, "the name of an event is null").isBlank()) {
             throw new ModelException("an event has no name; give it one");
         }
+        Names.requireAll(guards, "the guards of an event are null, or one of them is; List.of() are none");
         this.name = name;
         this.guards = List.copyOf(guards);
+        for (int index = 0; index < this.guards.size(); index++) {
+            if (this.guards.get(index).isBlank()) {
+                throw new ModelException("a guard of event " + name + " is blank; write its condition or leave it out");
+            }
+        }
         this.hash = 31 * name.hashCode() + this.guards.hashCode();
     }
 
@@ -72,11 +80,13 @@ public final class Event implements Comparable<Event> {
      *
      * @param name the name of an event, such as {@code after 2}
      * @param unit milliseconds or seconds
+     * @throws NullPointerException if an argument is null; the message says which
+     * @throws IllegalArgumentException if {@code unit} is another one
      */
     public static String withTimeUnit(String name, ChronoUnit unit) {
         return TimeTrigger.withUnit(
-                name,
-                switch (unit) {
+                requireNonNull(name, "the name of an event is null"),
+                switch (requireNonNull(unit, "the unit of a time trigger is null; use MILLIS or SECONDS")) {
                     case MILLIS -> "ms";
                     case SECONDS -> "s";
                     default -> throw new IllegalArgumentException("the unit is " + unit + "; use MILLIS or SECONDS");

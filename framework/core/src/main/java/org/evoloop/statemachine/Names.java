@@ -1,13 +1,17 @@
 package org.evoloop.statemachine;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
-import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * Suggestions for a misspelt name.
+ * Names in messages: on one line, and with suggestions for a misspelt one. A name may have any characters, since those of
+ * models have: a guard drawn over two lines, for example.
+ *
+ * <p>Threading: pure functions, which any thread may call.
  *
  * @since 0.1
  */
@@ -18,18 +22,47 @@ public final class Names {
     /** A longer name is not a typing error, and the search for similar ones takes time quadratic in its length. */
     private static final int LONGEST = 200;
 
-    private static final Pattern CONTROL = Pattern.compile("\\p{Cc}");
-
     private Names() {}
 
     /**
-     * {@code name} for messages, truncated to {@value #LONGEST} characters, with {@code ?} for each control character,
-     * since these could change a terminal or look like a second message.
+     * {@code name} for messages, truncated to {@value #LONGEST} characters and {@linkplain #inOneLine in one line}.
      */
     public static String shown(String name) {
         String begin =
                 name.length() <= LONGEST ? name : name.substring(0, LONGEST) + "... (" + name.length() + " letters)";
-        return CONTROL.matcher(begin).replaceAll("?");
+        return inOneLine(begin);
+    }
+
+    /**
+     * {@code text} with {@code ?} for each line break and other control character but tabs, since these could look like
+     * another line or change the terminal.
+     */
+    public static String inOneLine(String text) {
+        // By hand, for speed: nearly all text is plain, and is returned without a copy.
+        for (int index = 0; index < text.length(); index++) {
+            if (isControl(text.charAt(index))) {
+                StringBuilder plain = new StringBuilder(text);
+                for (int at = index; at < text.length(); at++) {
+                    if (isControl(text.charAt(at))) {
+                        plain.setCharAt(at, '?');
+                    }
+                }
+                return plain.toString();
+            }
+        }
+        return text;
+    }
+
+    private static boolean isControl(char letter) {
+        return (Character.isISOControl(letter) && letter != '\t') || letter == '\u2028' || letter == '\u2029';
+    }
+
+    /** @throws NullPointerException with {@code message} if {@code names} is null or holds null */
+    static void requireAll(Collection<String> names, String message) {
+        // Most are empty, and an iterator for each of a hundred thousand transitions would be garbage.
+        if (!requireNonNull(names, message).isEmpty()) {
+            names.forEach(name -> requireNonNull(name, message));
+        }
     }
 
     /**

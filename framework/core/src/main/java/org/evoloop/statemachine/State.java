@@ -18,6 +18,7 @@ public final class State implements Comparable<State> {
 
     /**
      * @param name as drawn, not blank
+     * @throws NullPointerException if {@code name} is null
      * @throws ModelException if {@code name} is blank
      */
     public State(String name) {

@@ -1,5 +1,7 @@
 package org.evoloop.statemachine;
 
+import static java.util.Objects.requireNonNull;
+
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -99,18 +101,20 @@ public final class StateMachine {
         return found;
     }
 
-    /** A copy with this name. */
+    /** A copy with this name. @throws NullPointerException if it is null */
     public StateMachine withName(String otherName) {
-        return new StateMachine(this, otherName);
+        return new StateMachine(this, requireNonNull(otherName, "the name of a state machine is null"));
     }
 
     /**
      * A copy with other names for some of its states.
      *
      * @param names the new names by state, including states {@linkplain #withoutMemory without memory}
-     * @throws ModelException if two states would have the same name
+     * @throws NullPointerException if {@code names} or one of the new names is null
+     * @throws ModelException if two states would have the same name, or one would have none
      */
     public StateMachine withStateNames(Map<State, String> names) {
+        requireNonNull(names, "the new names of states are null; Map.of() are none");
         UnaryOperator<State> renamed = state -> names.containsKey(state) ? new State(names.get(state)) : state;
         StateMachineBuilder builder = new StateMachineBuilder(name);
         Set<State> all = new LinkedHashSet<>();
@@ -139,7 +143,7 @@ public final class StateMachine {
         return builder.build();
     }
 
-    /** Starts a machine of this name, which is used in messages. */
+    /** Starts a machine of this name, which is used in messages. @throws NullPointerException if it is null */
     public static StateMachineBuilder named(String name) {
         return new StateMachineBuilder(name);
     }
@@ -195,7 +199,7 @@ public final class StateMachine {
     }
 
     private StateTraits traitsOf(State state) {
-        return traits.getOrDefault(state, StateTraits.NONE);
+        return traits.getOrDefault(requireNonNull(state, "the state is null"), StateTraits.NONE);
     }
 
     /**

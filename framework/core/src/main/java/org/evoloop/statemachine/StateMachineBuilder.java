@@ -1,5 +1,7 @@
 package org.evoloop.statemachine;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.IdentityHashMap;
@@ -14,11 +16,18 @@ import org.jspecify.annotations.Nullable;
 /**
  * Collects the parts of a {@link StateMachine}; {@link #build()} reports every problem at once.
  *
+ * <p>Nothing given to it may be null: each method throws a {@link NullPointerException} that says what is. One that takes
+ * the name of a state or an event throws a {@link ModelException} if it is blank.
+ *
  * <p>Threading: not thread-safe.
  *
  * @since 0.1
  */
 public final class StateMachineBuilder {
+    private static final String NO_TRANSITION = "a transition of a state machine is null";
+    private static final String ACTIVITIES =
+            "the activities of a state are null, or one of them is; List.of() are none";
+
     private final String name;
     /** By the states, in their order. */
     private Map<State, Row> rows = new LinkedHashMap<>();
@@ -38,7 +47,7 @@ public final class StateMachineBuilder {
     private @Nullable State initial;
 
     StateMachineBuilder(String name) {
-        this.name = name;
+        this.name = requireNonNull(name, "the name of a state machine is null");
     }
 
     /** The state in which the machine starts. */
@@ -59,6 +68,7 @@ public final class StateMachineBuilder {
     }
 
     private Row row(State state) {
+        requireNonNull(state, "a state of a state machine is null");
         if (built) {
             rows = new LinkedHashMap<>(rows);
             rows.replaceAll((each, row) -> new Row(row));
@@ -74,12 +84,14 @@ public final class StateMachineBuilder {
 
     /** Adds behaviors that run when the machine starts. */
     public StateMachineBuilder initialEffects(List<String> effects) {
+        Names.requireAll(effects, "the initial effects are null, or one of them is; List.of() are none");
         initialEffects.addAll(effects);
         return this;
     }
 
     /** Adds a state and the behaviors that run while it lasts. */
     public StateMachineBuilder activities(String state, List<String> names) {
+        Names.requireAll(names, ACTIVITIES);
         return names.isEmpty() ? state(state) : traits(state, known -> known.withActivities(names));
     }
 
@@ -89,7 +101,7 @@ public final class StateMachineBuilder {
      * @param event the event, with guards if it is deferred only under those
      */
     public StateMachineBuilder defers(String state, Event event) {
-        addEvent(event, "");
+        addEvent(requireNonNull(event, "the event that a state defers is null"), "");
         named.remove(event);
         return traits(state, known -> known.withDeferred(event));
     }
@@ -112,6 +124,9 @@ public final class StateMachineBuilder {
     public StateMachineBuilder drawn(
             State state, State withoutMemory, List<String> activities, List<String> paths, boolean end) {
         row(state);
+        requireNonNull(withoutMemory, "the state without memory is null; for most states it is the state itself");
+        Names.requireAll(activities, ACTIVITIES);
+        Names.requireAll(paths, "the paths of a state are null, or one of them is; its name is its path at the top");
         boolean itself = withoutMemory.equals(state);
         boolean inPlace = paths.size() == 1 && paths.get(0).equals(state.name());
         if (end || !itself || !inPlace || !activities.isEmpty()) {
@@ -166,7 +181,7 @@ public final class StateMachineBuilder {
      * @param place as above
      */
     public StateMachineBuilder transition(Transition transition, String place) {
-        Row row = row(transition.source());
+        Row row = row(requireNonNull(transition, NO_TRANSITION).source());
         row(transition.target());
         add(transition, row, place);
         return this;
@@ -178,14 +193,15 @@ public final class StateMachineBuilder {
      */
     public StateMachineBuilder transitions(State source, List<Transition> leaving) {
         Row row = row(source);
-        for (Transition transition : leaving) {
-            add(transition, row, "");
+        for (Transition transition : requireNonNull(leaving, "the transitions that leave a state are null")) {
+            add(requireNonNull(transition, NO_TRANSITION), row, "");
         }
         row.close();
         return this;
     }
 
     private void add(Transition transition, Row row, String place) {
+        requireNonNull(place, "the place of a transition is null; \"\" if it has none");
         Event event = transition.event();
         addEvent(event, place);
         named.remove(event);

@@ -1,5 +1,7 @@
 package org.evoloop.statemachine;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -22,8 +24,16 @@ import java.util.Set;
 public record Transition(
         State source, Event event, State target, List<String> effects, boolean internal, Set<String> keeps) {
 
-    /** @throws ModelException if it is internal and leads to another state */
+    /**
+     * @throws NullPointerException if anything is null; the message says what
+     * @throws ModelException if it is internal and leads to another state
+     */
     public Transition {
+        requireNonNull(source, "the source of a transition is null");
+        requireNonNull(event, "the event of a transition is null");
+        requireNonNull(target, "the target of a transition is null");
+        Names.requireAll(effects, "the effects of a transition are null, or one of them is; List.of() are none");
+        Names.requireAll(keeps, "what a transition keeps is null, or one of the names is; Set.of() is nothing");
         effects = List.copyOf(effects);
         keeps = keeps.isEmpty() ? Set.of() : Collections.unmodifiableSet(new LinkedHashSet<>(keeps));
         if (internal && !source.equals(target)) {

@@ -6,9 +6,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import org.evoloop.PaperModels;
+import org.evoloop.RecordingExecute;
+import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Step;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -58,5 +61,28 @@ class TranscriptTest {
                 .startsWith("----   button_event : Clean   -----")
                 .contains(" Clean command")
                 .endsWith(" original_current_state: On", " new_current_state: On");
+    }
+
+    @Test
+    void noNameForgesALine() throws InterruptedException {
+        converter.addMonitor(panel);
+        converter.addExecute(new RecordingExecute("Device", "press\n forged command"));
+        converter.addKnowledge(new StateKnowledge(new ModelPair(lamp("device"), lamp("lamp"))));
+        converter.build();
+        converter.start();
+        panel.press("press\n forged command");
+        converter.observe(panel);
+        converter.step();
+
+        assertThat(transcript.lines())
+                .contains(" press? forged command command", " new_current_state: On?Off?")
+                .noneMatch(line -> line.contains("\n") || line.contains("\u2028"));
+    }
+
+    private static StateMachine lamp(String name) {
+        return StateMachine.named(name)
+                .initial("Off")
+                .transition("Off", "press\n forged command", "On\rOff\u2028")
+                .build();
     }
 }

@@ -4,6 +4,7 @@ import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.util.Locale;
 import org.evoloop.journal.JournalRecord;
+import org.evoloop.statemachine.Names;
 
 /** Journal records as text, one line each. */
 public final class RecordText {
@@ -26,7 +27,7 @@ public final class RecordText {
         if (!shown.doubt().isEmpty()) {
             line.append("  IN DOUBT: ").append(shown.doubt());
         }
-        // A component's text may contain line breaks, but a record is one line.
-        return line.toString().replaceAll("\\R", " ");
+        // Names and a component's text may contain line breaks, but a record is one line.
+        return Names.inOneLine(line.toString());
     }
 }

@@ -4,11 +4,13 @@ import java.time.Instant;
 import java.time.ZoneId;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
 import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.check.temporal.Property;
 import org.evoloop.journal.DryRun;
 import org.evoloop.journal.DryRun.Broken;
 import org.evoloop.rehearsal.Difference;
+import org.evoloop.statemachine.Names;
 
 /** A replay of a journal's events on other models as text. */
 public final class ReplayText {
@@ -35,7 +37,7 @@ public final class ReplayText {
             lines.add("open: " + called(each, file) + ", since the journal ends before the required event came");
         }
         lines.add(sum(result, file));
-        return String.join("\n", lines) + "\n";
+        return lines.stream().map(Names::inOneLine).collect(Collectors.joining("\n", "", "\n"));
     }
 
     static String time(Instant at, ZoneId zone) {

@@ -5,14 +5,19 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Instant;
 import java.time.ZoneOffset;
 import java.util.List;
+import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.core.Input;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Values;
+import org.evoloop.journal.DryRun;
 import org.evoloop.journal.JournalRecord;
+import org.evoloop.rehearsal.Difference;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
 import org.junit.jupiter.api.Test;
 
 /** A line for each kind of record. */
@@ -41,7 +46,7 @@ class RecordTextTest {
         assertThat(line(new Input.Sent(7, true, 1))).startsWith("#7  at");
         assertThat(line(new Input.Running(7))).startsWith("#7  at");
         assertThat(line(new Input.EffectRun(7, "", 1))).startsWith("#7  at");
-        assertThat(line(new Input.EffectRun(7, "no\npaper", 1))).startsWith("#7 failed: no paper  at");
+        assertThat(line(new Input.EffectRun(7, "no\npaper", 1))).startsWith("#7 failed: no?paper  at");
         assertThat(line(new Input.Located(7, new State("Off"), 1))).startsWith("#7 Off  at");
         assertThat(line(new Input.Located(7, null, 1))).startsWith("#7 cannot be told  at");
         assertThat(line(new Input.Failed(7, "unplugged", 1))).startsWith("#7 unplugged  at");
@@ -58,5 +63,22 @@ class RecordTextTest {
     void endsWithEndingsAndDoubts() {
         assertThat(line(new Input.Sent(7, true, 1), "nobody knows", List.of("Clean handled: Clean", "Spot stale")))
                 .isEqualTo("#7  at (On, Move)  | Clean handled: Clean  | Spot stale  IN DOUBT: nobody knows");
+    }
+
+    @Test
+    void noNameForgesALine() {
+        Occurrence odd = new Occurrence.Found(new State("Off\n1970\u2028x\u001b[2J"), 1);
+
+        assertThat(line(new Input.Observed(odd))).startsWith("found Off?1970?x?[2J  at");
+        assertThat(ReplayText.write(
+                        new DryRun.Result(
+                                1, List.of(new Difference(Instant.EPOCH, odd, null, null)), List.of(), List.of()),
+                        PropertyFile.parse("F", "", new ModelPair(lamp(), lamp())),
+                        ZoneOffset.UTC))
+                .startsWith("1970-01-01 00:00:00.000000  found Off?1970?x?[2J\n  then  ");
+    }
+
+    private static StateMachine lamp() {
+        return StateMachine.named("lamp").initial("Off").build();
     }
 }

@@ -104,4 +104,17 @@ class ScxmlUnusualTest {
         assertThat(ChartText.of(machine.statechart())).contains("state #1 state of line 2");
         assertThat(machine.notes()).hasSize(2);
     }
+
+    @Test
+    void whatIsWrittenOverSeveralLinesCanBeRead() {
+        StateMachine machine = flat("""
+                <state id='a&#x85;b'>
+                  <transition event='e' cond='x&#10;and y' target='a&#x85;b'><script>one();
+                two();</script></transition>
+                </state>""");
+
+        assertThat(machine.initial().name()).isEqualTo("a\u0085b");
+        assertThat(machine.guards()).containsExactly("x\nand y");
+        assertThat(machine.transitions().get(0).effects()).containsExactly("one();\ntwo();");
+    }
 }
