@@ -62,20 +62,26 @@ class BackPressureTest {
         }
     }
 
-    @Test
-    void firstComeIsFirstServed() throws InterruptedException {
+    /** A robot that sends its first step until {@code proceed}. */
+    private LiveRobot sending(int queueCapacity, CountDownLatch proceed) throws InterruptedException {
         CountDownLatch sending = new CountDownLatch(1);
-        CountDownLatch proceed = new CountDownLatch(1);
-        try (LiveRobot robot = new LiveRobot(
+        LiveRobot robot = new LiveRobot(
                 threading,
                 NewFunction.none(),
-                8,
+                queueCapacity,
                 made -> made.converter.addExecute(made.device("Device", step -> {
                     sending.countDown();
                     LiveRobot.await(proceed);
-                })))) {
-            robot.panel.press("Clean");
-            LiveRobot.await(sending);
+                })));
+        robot.panel.press("Clean");
+        LiveRobot.await(sending);
+        return robot;
+    }
+
+    @Test
+    void firstComeIsFirstServed() throws InterruptedException {
+        CountDownLatch proceed = new CountDownLatch(1);
+        try (LiveRobot robot = sending(8, proceed)) {
             List<String> pressed =
                     List.of("timeout", "Clean", "arriveSpot", "Clean", "timeout", "arriveSpot", "Clean", "timeout");
             pressed.forEach(robot.panel::press);
@@ -90,18 +96,8 @@ class BackPressureTest {
 
     @Test
     void aPressForWhichThereIsNoRoomFails() throws InterruptedException {
-        CountDownLatch sending = new CountDownLatch(1);
         CountDownLatch proceed = new CountDownLatch(1);
-        try (LiveRobot robot = new LiveRobot(
-                threading,
-                NewFunction.none(),
-                1,
-                made -> made.converter.addExecute(made.device("Device", step -> {
-                    sending.countDown();
-                    LiveRobot.await(proceed);
-                })))) {
-            robot.panel.press("Clean");
-            LiveRobot.await(sending);
+        try (LiveRobot robot = sending(1, proceed)) {
             robot.panel.press("timeout");
 
             for (int again = 0; again < 2; again++) {

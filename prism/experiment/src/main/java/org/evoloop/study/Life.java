@@ -22,9 +22,15 @@ import org.jspecify.annotations.Nullable;
 final class Life implements AutoCloseable {
     private static final int SMALL_SEGMENT_BYTES = 1 << 16;
 
-    private final PushMonitor controller = new PushMonitor("Controller");
+    private final Controller controller = new Controller();
     private final SystemEventConverter converter;
     private int swaps;
+
+    private static final class Controller extends PushMonitor {
+        void operate(String event) {
+            push(fromController(event));
+        }
+    }
 
     /** @param journal where it keeps one; null if it does not */
     Life(LoopConfig config, EventAnalyze analyze, EventExecute execute, @Nullable Path journal) {
@@ -51,8 +57,9 @@ final class Life implements AutoCloseable {
         return controller;
     }
 
+    /** An event that finds the queue full is lost, as in the model. */
     void press(int steps) {
-        controller.press(RingModels.event(steps));
+        controller.operate(RingModels.event(steps));
     }
 
     /** The device is seen again, there. */

@@ -53,7 +53,7 @@ final class RecordedRun {
     private final List<Event> buttons;
     private final Device device;
     private SystemEventConverter converter;
-    private PushMonitor controller;
+    private Controller controller;
     private Panel panel;
     private int lives;
     private int unconfirmed;
@@ -80,6 +80,13 @@ final class RecordedRun {
 
         synchronized String at() {
             return at.name();
+        }
+    }
+
+    private static final class Controller extends PushMonitor {
+        /** The event is lost if the queue is full. */
+        void operate(String event) {
+            push(fromController(event));
         }
     }
 
@@ -201,7 +208,7 @@ final class RecordedRun {
         ended = false;
         converter = new SystemEventConverter(LoopConfig.defaults("recorded", clock)
                 .withQueueCapacity(evolution.rules().queueCapacity()));
-        controller = new PushMonitor("Controller");
+        controller = new Controller();
         panel = new Panel(names(evolution.own()));
         converter.addMonitor(controller);
         converter.addMonitor(panel);
@@ -216,7 +223,7 @@ final class RecordedRun {
     private void act() {
         int what = random.nextInt(20);
         if (what < 8) {
-            controller.press(any(buttons).name());
+            controller.operate(any(buttons).name());
         } else if (what < 12) {
             actByItself();
         } else if (what < 14) {
