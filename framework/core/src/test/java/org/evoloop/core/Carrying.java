@@ -71,6 +71,9 @@ final class Carrying {
     }
 
     private void announce(long number, Step step) {
+        if (step.conditional()) {
+            input(new Input.Failed(number, "its guards do not hold", time), done());
+        }
         World next = done();
         // Undone if the core does not let it be sent; see World.heard.
         next.flight = new World.Flight(number, step);

@@ -37,6 +37,7 @@ class DeterminismTest {
         scenes.addAll(Scene.bulb().with(3, Act.values()).kinds());
         scenes.addAll(Scene.dancingRobot().with(3, Act.values()).kinds());
         scenes.addAll(Scene.busyRobot().with(3, Act.values()).kinds());
+        scenes.addAll(Scene.lamp().with(3, Act.values()).kinds());
         scenes.addAll(RandomPair.scene(seed).with(3, Act.values()).kinds());
         for (int story = 0; story < STORIES; story++) {
             Scene scene = scenes.get(random.nextInt(scenes.size()));

@@ -81,6 +81,59 @@ class ExplorationTest {
         explore(scene, TO_THE_END);
     }
 
+    static Stream<Scene> ofOtherQueues() {
+        Scene none = Scene.grinder().withQueue(0);
+        Scene three = Scene.grinder().withQueue(3);
+        return Stream.of(
+                        none.with(3, Act.PRESS).with(1, Act.OWN, Act.STOP),
+                        none.with(2, Act.PRESS).with(1, Act.RAISE, Act.END),
+                        three.with(5, Act.PRESS))
+                .flatMap(ExplorationTest::bestAndWorst);
+    }
+
+    @ParameterizedTest
+    @MethodSource("ofOtherQueues")
+    void allStoriesWithMoreOrLessRoom(Scene scene) {
+        explore(scene, TO_THE_END);
+    }
+
+    static Stream<Scene> ofTheLamp() {
+        Scene scene = Scene.lamp();
+        return Stream.of(
+                        scene.with(3, Act.OWN).with(1, Act.PRESS),
+                        scene.with(2, Act.PRESS).with(1, Act.OWN, Act.STOP, Act.FAIL),
+                        scene.with(2, Act.OWN).with(1, Act.PRESS, Act.GIVE_UP),
+                        scene.with(1, Act.PRESS, Act.JUMP, Act.GIVE_UP),
+                        scene.with(1, Act.PRESS, Act.OWN, Act.ASK),
+                        scene.with(2, Act.OWN).with(1, Act.PRESS, Act.END),
+                        scene.with(1, Act.PRESS, Act.RAISE, Act.STOP, Act.END),
+                        scene.onFailure(OnFailure.GO_BACK).with(2, Act.OWN).with(1, Act.PRESS, Act.FAIL))
+                .flatMap(ExplorationTest::bestAndWorst);
+    }
+
+    @ParameterizedTest
+    @MethodSource("ofTheLamp")
+    void allStoriesOfTheLamp(Scene scene) {
+        explore(scene, TO_THE_END);
+    }
+
+    static Stream<Scene> moreOfTheLamp() {
+        Scene scene = Scene.lamp();
+        return Stream.of(
+                        scene.with(3, Act.PRESS).with(2, Act.OWN),
+                        scene.with(2, Act.PRESS, Act.OWN).with(1, Act.STOP),
+                        scene.with(2, Act.PRESS, Act.OWN).with(1, Act.FAIL),
+                        scene.with(1, Act.PRESS, Act.OWN, Act.JUMP, Act.GIVE_UP))
+                .flatMap(ExplorationTest::bestAndWorst);
+    }
+
+    @ParameterizedTest
+    @MethodSource("moreOfTheLamp")
+    @Tag("slow")
+    void moreStoriesOfTheLamp(Scene scene) {
+        explore(scene, TO_THE_END);
+    }
+
     static Stream<Scene> ofPlansThatBreakOff() {
         return Stream.of(OnFailure.GO_BACK, OnFailure.OTHER_WAY)
                 .flatMap(then -> Stream.of(Scene.robot(), Scene.bulb()).map(scene -> scene.onFailure(then)))

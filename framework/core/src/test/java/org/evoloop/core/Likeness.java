@@ -113,7 +113,7 @@ final class Likeness {
         Object when =
                 visit == Occurrence.ANY_VISIT ? "any" : visit == now.visit().number() ? "now" : "before";
         if (occurrence instanceof Occurrence.Heard heard) {
-            return list(heard.event(), heard.source(), heard.deviceActed(), when);
+            return list(heard.event(), heard.source(), heard.deviceActed(), heard.holding(), when);
         }
         if (occurrence instanceof Occurrence.Found found) {
             return list(found.state(), now.steps() > 0 && found.observedNanos() < now.lastStepNanos());

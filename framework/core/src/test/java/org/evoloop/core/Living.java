@@ -4,8 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import org.evoloop.core.Scene.Act;
+import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
+import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
@@ -40,27 +42,40 @@ final class Living {
     private void takesSteps() {
         World.Flight flight = world.flight;
         if (flight != null && !world.landed) {
-            World next = landing(flight);
-            next.landed = true;
-            found.add(Move.unnoticed("the device takes " + flight.step().trigger(), next));
+            for (State state : world.after(flight.step())) {
+                World next = landing(flight, state);
+                next.landed = true;
+                found.add(Move.unnoticed(taking(flight, state), next));
+            }
         }
         World.Flight stray = world.stray;
         if (stray != null) {
-            World next = landing(stray);
-            next.stray = null;
-            found.add(Move.unnoticed("the device takes " + stray.step().trigger() + ", which was given up", next));
-            if (world.mayHideEffects()) {
-                World hidden = world.copy();
-                hidden.take(stray.step().trigger());
-                hidden.stray = null;
-                found.add(Move.unnoticed("the device takes " + stray.step().trigger() + ", unreported", hidden));
+            for (State state : world.after(stray.step())) {
+                takesLate(stray, state);
             }
         }
     }
 
-    private World landing(World.Flight flight) {
+    private void takesLate(World.Flight stray, State state) {
+        World next = landing(stray, state);
+        next.stray = null;
+        found.add(Move.unnoticed(taking(stray, state) + ", which was given up", next));
+        if (world.mayHideEffects()) {
+            World hidden = world.copy();
+            hidden.device = state;
+            hidden.stray = null;
+            found.add(Move.unnoticed(taking(stray, state) + ", unreported", hidden));
+        }
+    }
+
+    private String taking(World.Flight flight, State state) {
+        Step step = flight.step();
+        return "the device takes " + step.trigger() + (world.after(step).size() > 1 ? " to " + state : "");
+    }
+
+    private World landing(World.Flight flight, State state) {
         World next = world.copy();
-        next.take(flight.step().trigger());
+        next.device = state;
         next.unreported.add(new Token.Effect(flight.number()));
         return next;
     }
@@ -68,11 +83,8 @@ final class Living {
     private void actsByItself() {
         if (world.may(Act.OWN)) {
             for (Event event : world.scene.own()) {
-                if (model().hasTransition(world.device, event)) {
-                    World next = world.spent(Act.OWN);
-                    next.take(event);
-                    next.unreported.add(new Token.Own(event));
-                    found.add(Move.unnoticed("the device does " + event + " by itself", next));
+                if (model().hasTrigger(world.device, event)) {
+                    does(event);
                 }
             }
         }
@@ -91,8 +103,22 @@ final class Living {
         }
     }
 
+    private void does(Event event) {
+        for (Set<String> holding : Answers.of(models(), event)) {
+            World next = world.spent(Act.OWN);
+            next.device = world.after(event, holding);
+            next.unreported.add(new Token.Own(event, holding));
+            String open = holding.isEmpty() ? "" : " " + holding;
+            found.add(Move.unnoticed("the device does " + event + open + " by itself", next));
+        }
+    }
+
+    private ModelPair models() {
+        return world.rules().table().models();
+    }
+
     private StateMachine model() {
-        return world.rules().table().models().original();
+        return models().original();
     }
 
     /**
@@ -118,7 +144,13 @@ final class Living {
             boolean alone = world.rules().table().isDevicesOwn(own.event());
             return Move.noticed(
                     new Input.Observed(new Occurrence.Heard(
-                            own.event(), Values.NONE, Source.DEVICE, !alone, Set.of(), Occurrence.ANY_VISIT, time)),
+                            own.event(),
+                            Values.NONE,
+                            Source.DEVICE,
+                            !alone,
+                            own.holding(),
+                            Occurrence.ANY_VISIT,
+                            time)),
                     next);
         }
         if (token instanceof Token.Seen seen) {

@@ -9,6 +9,7 @@ import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Step;
+import org.evoloop.statemachine.State;
 
 /**
  * Mechanisms of the core, each removed by undoing its changes to a snapshot or its outputs, and the invariant that must
@@ -49,6 +50,38 @@ enum Mutation {
         @Override
         Snapshot undo(Snapshot before, Input input, Snapshot after) {
             return input instanceof Input.Sent && before.doubt() == null ? Snapshots.sure(after) : after;
+        }
+    },
+    GUARDS_LET_EVERY_STEP_BE_TAKEN("record", Scene.lamp().with(1, Act.PRESS).with(3, Act.OWN)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            // In order, only guards make it uncertain where a step has taken the device.
+            return input instanceof Input.Sent sent && sent.inOrder() && before.doubt() == null
+                    ? Snapshots.sure(after)
+                    : after;
+        }
+    },
+    THE_GUARDS_OF_AN_EARLIER_FACT_COUNT("record", Scene.lamp().with(2, Act.OWN)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            if (!isFact(input) || before.waiting().isEmpty()) {
+                return after;
+            }
+            Occurrence.Heard earlier =
+                    (Occurrence.Heard) before.waiting().get(0).occurrence();
+            Occurrence.Heard now = (Occurrence.Heard) ((Input.Observed) input).occurrence();
+            State from = before.at().original();
+            Step own = scene.rules().table().ownStep(from, now.event(), earlier.holding()::contains);
+            return Snapshots.at(after, after.at().withOriginal(own == null ? from : own.target()));
+        }
+    },
+    A_FACT_CHANGES_NOTHING_THAT_THE_DEVICE_REMEMBERS("record", Scene.lamp().with(3, Act.OWN)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            State there = after.at().original();
+            State forgetful =
+                    scene.rules().table().models().original().alike(there).get(0);
+            return isFact(input) ? Snapshots.at(after, after.at().withOriginal(forgetful)) : after;
         }
     },
     WHAT_HAPPENS_DURING_A_STEP_IS_FORGOTTEN("record", Scene.bulb().with(1, Act.PRESS, Act.OWN)) {
@@ -227,6 +260,12 @@ enum Mutation {
         }
     },
     DEFERRED_EVENTS_TAKE_UP_THE_PLACES_OF_OTHERS("room", Scene.grinder().with(4, Act.PRESS)) {
+        @Override
+        boolean isLost(Snapshot before, Input input) {
+            return isLostInAFullQueue(before, input);
+        }
+    },
+    WITHOUT_A_QUEUE_NOTHING_BEGINS("room", Scene.grinder().withQueue(0).with(1, Act.PRESS)) {
         @Override
         boolean isLost(Snapshot before, Input input) {
             return isLostInAFullQueue(before, input);

@@ -110,6 +110,42 @@ record Scene(
     }
 
     /**
+     * A lamp that remembers whether it was dimmed, and dims only in the dark. The new one glows before it goes out, and
+     * comes back dimmed only in the dark; it would always dim, but the device may not let it. One event may wait.
+     */
+    static Scene lamp() {
+        return of(
+                "lamp",
+                new ModelPair(
+                        machine(
+                                "lamp",
+                                "Off power -> Bright",
+                                "Off[Dim] power -> Dim",
+                                "Bright power -> Off",
+                                "Dim power -> Off[Dim]",
+                                "Bright dim [dark] -> Dim",
+                                "Dim dim -> Bright"),
+                        machine(
+                                "glowing lamp",
+                                "Off power -> Bright",
+                                "Off[Dim] power [dark] -> Dim",
+                                "Off[Dim] power -> Bright",
+                                "Bright power -> Glow",
+                                "Dim power -> Glow[Dim]",
+                                "Glow timeout -> Off",
+                                "Glow[Dim] timeout -> Off[Dim]",
+                                "Glow power -> Bright",
+                                "Glow[Dim] power -> Dim",
+                                "Glow dim [dark] -> Dim",
+                                "Bright dim -> Dim",
+                                "Dim dim -> Bright")),
+                Map.of("Glow", "timeout", "Glow[Dim]", "timeout"),
+                "power dim",
+                "power dim",
+                1);
+    }
+
+    /**
      * A scene in which nothing happens.
      *
      * @param timers the time event of each state that has one
@@ -140,7 +176,9 @@ record Scene(
         pair.original().triggers().stream()
                 .filter(event -> !sent.contains(event))
                 .forEach(own::add);
-        DecisionTable table = DecisionTable.compile(pair, new DeviceEvents(sent, own));
+        DeviceEvents device =
+                new DeviceEvents(sent, own).withBoundGuards(pair.original().guards());
+        DecisionTable table = DecisionTable.compile(pair, device);
         return new Rules(table, state -> timersOf(timers, state), queueCapacity);
     }
 
@@ -231,6 +269,13 @@ record Scene(
                 .filter(name -> !name.isEmpty())
                 .map(Event::new)
                 .collect(Collectors.toSet());
+    }
+
+    /** The same scene in which as many events of controllers may wait. */
+    Scene withQueue(int capacity) {
+        Rules other = new Rules(rules.table(), rules.timers(), capacity);
+        String changed = name + ", queue of " + capacity;
+        return new Scene(changed, other, other, mapping, presses, own, raised, inOrder, canLocate, times);
     }
 
     /** The same scene in which {@code act} may happen at most this often. */

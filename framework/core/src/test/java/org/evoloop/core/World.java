@@ -107,9 +107,22 @@ final class World {
         return next;
     }
 
-    /** What the device's model does on {@code trigger}. */
-    void take(Event trigger) {
-        device = rules().table().models().original().nextState(device, trigger).orElse(device);
+    /** The state to which {@code trigger} takes the device while these guards hold. */
+    State after(Event trigger, Set<String> holding) {
+        Step step = rules().table().ownStep(device, trigger, holding::contains);
+        return step == null ? device : step.target();
+    }
+
+    /** The states to which a step may take the device: guards were evaluated before only in the step's source. */
+    Set<State> after(Step step) {
+        Set<State> possible = new LinkedHashSet<>();
+        if (device.equals(step.source())) {
+            possible.add(step.target());
+        } else {
+            Answers.of(rules().table().models(), step.trigger())
+                    .forEach(holding -> possible.add(after(step.trigger(), holding)));
+        }
+        return possible;
     }
 
     void noLongerSent() {
@@ -165,7 +178,9 @@ final class World {
         if (work == null || work.decision() != null) {
             plans.clear();
         } else {
-            plans.add(rules().decide(after.at(), after.steps(), work.pending(), guard -> false));
+            for (Set<String> holding : Answers.of(rules().table().models())) {
+                plans.add(rules().decide(after.at(), after.steps(), work.pending(), holding::contains));
+            }
         }
     }
 }
