@@ -23,7 +23,11 @@ public final class Main {
             converter.start();
             while (lines.hasNextLine()) {
                 lines.nextLine();
-                wallSwitch.press("switch");
+                try {
+                    wallSwitch.press("switch");
+                } catch (IllegalStateException lost) {
+                    System.err.println(lost.getMessage());
+                }
             }
         }
     }
