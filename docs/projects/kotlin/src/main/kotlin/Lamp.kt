@@ -49,7 +49,13 @@ fun main() {
             converter.addKnowledge(LampKnowledge())
             converter.build()
             converter.start()
-            generateSequence(::readLine).forEach { wallSwitch.press("switch") }
+            generateSequence(::readLine).forEach {
+                try {
+                    wallSwitch.press("switch")
+                } catch (lost: IllegalStateException) {
+                    System.err.println(lost.message)
+                }
+            }
         }
     }
 }
