@@ -90,6 +90,11 @@ final class Shown implements AutoCloseable {
             super("Panel");
         }
 
+        /** Presses a button; if the queue is full, the event is lost. */
+        void operate(String event) {
+            push(fromController(event));
+        }
+
         void acts(String event) {
             push(fromDevice(event));
         }

@@ -262,7 +262,7 @@ class ViewersTest {
         Awaitility.await().atMost(LIMIT).until(() -> served() == 2);
         Thread presser = new Thread(() -> {
             while (!Thread.currentThread().isInterrupted()) {
-                shown.panel.press("Clean");
+                shown.panel.operate("Clean");
             }
         });
         presser.setDaemon(true);
