@@ -72,7 +72,7 @@ public final class Connection {
     private final ConnectionThread thread;
     private final FirstAnswer firstAnswer = new FirstAnswer();
     private final ConnectionState state = new ConnectionState();
-    private volatile long lastFrameNanos;
+    private final Silence silence;
     private volatile Instant downSince = Instant.EPOCH;
     private volatile boolean attemptsReported;
     private volatile boolean maySleep;
@@ -85,7 +85,8 @@ public final class Connection {
      * The options of a connection.
      *
      * @param stream the packets that the robot is to send
-     * @param silenceLimit the time without a frame after which the robot counts as unreachable, in the clock's time
+     * @param silenceLimit the time without a frame after which the robot counts as unreachable, in the clock's time;
+     *     time in which this program was held up does not count
      * @param mayWait false if the caller controls the time: then no thread is created
      */
     public record Options(List<PacketId> stream, Duration silenceLimit, boolean mayWait) {}
@@ -94,6 +95,7 @@ public final class Connection {
     public Connection(IntFunction<Link> cable, Clock clock, Options options, ConnectionOwner owner) {
         this.plug = new Plug(cable);
         this.clock = clock;
+        this.silence = new Silence(clock);
         this.stream = options.stream();
         this.silenceLimit = options.silenceLimit();
         this.answerLimit = longer(ANSWER_LIMIT, silenceLimit.dividedBy(2));
@@ -136,7 +138,7 @@ public final class Connection {
     private void open(Runnable plugging) {
         thread.runAndWait(() -> {
             pulsedNanos = clock.nanoTime();
-            lastFrameNanos = pulsedNanos;
+            silence.broken();
             downSince = clock.wallTime();
             plugging.run();
             scheduleLook();
@@ -211,7 +213,7 @@ public final class Connection {
     }
 
     private void loseSight() {
-        downSince = clock.wallTime().minusNanos(clock.nanoTime() - lastFrameNanos);
+        downSince = silence.since();
     }
 
     private void ask() {
@@ -244,7 +246,7 @@ public final class Connection {
 
     /** A frame was received. */
     public void answered() {
-        lastFrameNanos = clock.nanoTime();
+        silence.broken();
         if (state.enterFrom(Phase.ASKING, Phase.UP, "")) {
             attemptsReported = false;
             firstAnswer.came();
@@ -252,6 +254,7 @@ public final class Connection {
     }
 
     private void scheduleLook() {
+        silence.expectCheck(LOOK);
         thread.schedule(LOOK, () -> {
             try {
                 look();
@@ -262,10 +265,11 @@ public final class Connection {
     }
 
     private void look() {
+        silence.checked();
         long now = clock.nanoTime();
         switch (state.phase()) {
             case UP -> {
-                if (now - lastFrameNanos >= silenceLimit.toNanos()) {
+                if (silence.hasLasted(silenceLimit)) {
                     if (maySleep && owner.isDrowsy()) {
                         fallAsleep();
                     } else {
