@@ -356,19 +356,23 @@ public final class DecisionTable {
 
     /**
      * The decision after the device was found in {@code original}: the new model stays where it is if the two states
-     * are a reachable pair, also by the device's interference; else it follows the device. Of several states
+     * are a reachable pair, also by the device's interference, or if the device is where the record has it, and both
+     * states differ at most in the history that each model remembers; else it follows the device. Of several states
      * that differ only in the new model's history, it enters the first that forms a reachable pair with the device's.
      *
      * @param original a state of the original model
      */
     public Decision.Resynchronization find(Configuration at, State original) {
         Configuration kept = at.withOriginal(original);
-        return new Decision.Resynchronization(at, situations.containsKey(kept) ? kept : followed(original));
+        boolean stays = original.equals(at.original()) ? isFollowed(at) : situations.containsKey(kept);
+        return new Decision.Resynchronization(at, stays ? kept : followed(original));
     }
 
     /** Whether the new model stays where it is if the device is found in its state. */
     public boolean isFollowed(Configuration at) {
-        return situations.containsKey(at) || followed(at.original()).equals(at);
+        return situations.containsKey(at)
+                || pair.deviceStates(at.evolved()).contains(at.original())
+                || followed(at.original()).equals(at);
     }
 
     private Configuration followed(State original) {

@@ -107,7 +107,9 @@ class ExplorationTest {
                         scene.with(1, Act.PRESS, Act.OWN, Act.ASK),
                         scene.with(2, Act.OWN).with(1, Act.PRESS, Act.END),
                         scene.with(1, Act.PRESS, Act.RAISE, Act.STOP, Act.END),
-                        scene.onFailure(OnFailure.GO_BACK).with(2, Act.OWN).with(1, Act.PRESS, Act.FAIL))
+                        scene.onFailure(OnFailure.GO_BACK).with(2, Act.OWN).with(1, Act.PRESS, Act.FAIL),
+                        scene.onFailure(OnFailure.OTHER_WAY).with(2, Act.OWN).with(1, Act.PRESS, Act.FAIL),
+                        scene.onFailure(OnFailure.OTHER_WAY).with(1, Act.PRESS, Act.OWN, Act.FAIL, Act.JUMP))
                 .flatMap(ExplorationTest::bestAndWorst);
     }
 
@@ -123,6 +125,7 @@ class ExplorationTest {
                         scene.with(3, Act.PRESS).with(2, Act.OWN),
                         scene.with(2, Act.PRESS, Act.OWN).with(1, Act.STOP),
                         scene.with(2, Act.PRESS, Act.OWN).with(1, Act.FAIL),
+                        scene.onFailure(OnFailure.OTHER_WAY).with(2, Act.PRESS, Act.OWN, Act.FAIL),
                         scene.with(1, Act.PRESS, Act.OWN, Act.JUMP, Act.GIVE_UP))
                 .flatMap(ExplorationTest::bestAndWorst);
     }

@@ -2,6 +2,7 @@ package org.evoloop.evolution;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.evoloop.Machines.machine;
 
 import java.util.List;
 import java.util.Set;
@@ -185,6 +186,34 @@ class DecisionTableTest {
 
         assertThat(steps(decide(withoutPanel, at("On", "SpotWait"), "Clean", false)))
                 .containsExactly("On --Spot--> Spot");
+    }
+
+    @Test
+    void keepsWhatTheNewModelRemembersIfTheDeviceIsFoundWhereItWasRecorded() {
+        StateMachine lamp = machine(
+                "lamp",
+                "Off power -> Bright",
+                "Off[Dim] power -> Dim",
+                "Bright power -> Off",
+                "Dim power -> Off[Dim]",
+                "Bright dim -> Dim",
+                "Dim dim -> Bright");
+        Set<Event> buttons = lamp.triggers();
+        DecisionTable table = DecisionTable.compile(new ModelPair(lamp, lamp), new DeviceEvents(buttons, buttons));
+        Configuration bright = at("Bright", "Bright");
+        Decision usual = decide(table, bright, "power", false);
+        BrokenPlan broken = new BrokenPlan(OnFailure.OTHER_WAY, "the lamp sticks", bright.original(), usual.steps());
+        Decision otherWay = table.afterFailure(usual, bright, broken);
+        assertThat(steps(otherWay)).containsExactly("Bright --dim--> Dim", "Dim --power--> Off[Dim]");
+        Configuration off = otherWay.after();
+        assertThat(off).isEqualTo(at("Off[Dim]", "Off"));
+
+        assertThat(table.find(off, off.original()).after())
+                .as("switched on again, the new lamp is bright as before")
+                .isEqualTo(off);
+        assertThat(steps(decide(table, off, "power", false)))
+                .containsExactly("Off[Dim] --power--> Dim", "Dim --dim--> Bright");
+        assertThat(table.find(bright, off.original()).after()).isEqualTo(at("Off[Dim]", "Off[Dim]"));
     }
 
     @Test
