@@ -94,17 +94,17 @@ final class EvolveCommands {
     private void shadow(List<String> arguments, PrintStream out) {
         Optional<Shadow> present = converter.shadow();
         if (!arguments.isEmpty() && !arguments.get(0).equals("off")) {
-            out.println("shadow of " + converter.shadow(asked(arguments)).report());
+            say("shadow of " + converter.shadow(asked(arguments)).report(), out);
         } else if (present.isEmpty()) {
             out.println("no shadow; shadow FILE#NAME begins one");
         } else if (!arguments.isEmpty()) {
-            out.println("ended " + present.get().report());
+            say("ended " + present.get().report(), out);
             present.get().close();
         } else {
             ShadowReport report = present.get().report();
-            out.println(report + "; it would be in " + report.at());
-            report.differences().forEach(out::println);
-            report.faults().forEach(out::println);
+            say(report + "; it would be in " + report.at(), out);
+            report.differences().forEach(difference -> say(difference.toString(), out));
+            report.faults().forEach(fault -> say(fault.toString(), out));
         }
     }
 
@@ -119,15 +119,20 @@ final class EvolveCommands {
         say(converter.rollBack(), Probation.NONE, out);
     }
 
+    /** Names from models may contain line breaks. */
+    private static void say(String line, PrintStream out) {
+        out.println(Names.inOneLine(line));
+    }
+
     private static void say(Evolution.Result result, Probation probation, PrintStream out) {
-        out.println("evolved to '" + result.model() + "': " + result.before() + " is " + result.after());
+        say("evolved to '" + result.model() + "': " + result.before() + " is " + result.after(), out);
         if (!result.steps().isEmpty()) {
-            out.println("the device is sent "
-                    + result.steps().stream()
-                            .map(step -> step.trigger().toString())
-                            .collect(Collectors.joining(", ")));
+            String sent = result.steps().stream()
+                    .map(step -> step.trigger().toString())
+                    .collect(Collectors.joining(", "));
+            say("the device is sent " + sent, out);
         }
-        result.carried().forEach(carried -> out.println("  " + carried));
+        result.carried().forEach(carried -> say("  " + carried, out));
         if (probation.isAny()) {
             out.println("on probation: rolls back by itself if anything goes wrong");
         }

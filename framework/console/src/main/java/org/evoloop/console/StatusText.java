@@ -85,11 +85,12 @@ final class StatusText {
 
     /** In one line: the current states, and since when they are only the last known ones. */
     static String states(ConverterStatus status) {
-        return "original " + Names.inOneLine(status.states().original().name()) + ", new "
-                + Names.inOneLine(status.states().evolved().name())
+        String shown = "original " + status.states().original() + ", new "
+                + status.states().evolved()
                 + status.lastKnownSince()
                         .map(since -> "; last known, since " + SECOND.format(since.atZone(ZoneId.systemDefault())))
                         .orElse("");
+        return Names.inOneLine(shown);
     }
 
     private static String now(ConverterStatus status) {

@@ -95,6 +95,23 @@ class EvolveCommandsTest {
     }
 
     @Test
+    void aLineBreakInTheNameOfAModelBeginsNoLine() {
+        Console console = new Console(
+                lamp.converter,
+                new ByteArrayInputStream("evolve any\nshadow any\n".getBytes(StandardCharsets.UTF_8)),
+                out.stream,
+                err.stream);
+        console.evolvesBy(reference -> read("lamp.xml#plain").withName("plain\nforged"));
+        lamp.converter.start();
+        console.run();
+        assertThat(err.text()).isEmpty();
+        assertThat(out.lines())
+                .containsExactly(
+                        "evolved to 'plain?forged': (off, off) is (off, off)",
+                        "shadow of 'plain?forged': 0 events, 0 of them decided differently");
+    }
+
+    @Test
     void aShadowGetsTheSameInputsAndIsPromoted() {
         run(
                 "start",
