@@ -28,10 +28,14 @@ class EvolveCommandsTest {
     private final Captured err = new Captured();
 
     private void run(String... lines) {
+        run(EvolveCommandsTest::read, lines);
+    }
+
+    private void run(NewModels models, String... lines) {
         InputStream in =
                 new ByteArrayInputStream(String.join("\n", lines).concat("\n").getBytes(StandardCharsets.UTF_8));
         Console console = new Console(lamp.converter, in, out.stream, err.stream);
-        console.evolvesBy(EvolveCommandsTest::read);
+        console.evolvesBy(models);
         console.run();
     }
 
@@ -96,14 +100,8 @@ class EvolveCommandsTest {
 
     @Test
     void aLineBreakInTheNameOfAModelBeginsNoLine() {
-        Console console = new Console(
-                lamp.converter,
-                new ByteArrayInputStream("evolve any\nshadow any\n".getBytes(StandardCharsets.UTF_8)),
-                out.stream,
-                err.stream);
-        console.evolvesBy(reference -> read("lamp.xml#plain").withName("plain\nforged"));
         lamp.converter.start();
-        console.run();
+        run(reference -> read("lamp.xml#plain").withName("plain\nforged"), "evolve any", "shadow any");
         assertThat(err.text()).isEmpty();
         assertThat(out.lines())
                 .containsExactly(
