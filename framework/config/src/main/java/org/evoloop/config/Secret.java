@@ -43,7 +43,7 @@ public record Secret(Option<Path> file, String variable) {
     public Optional<String> in(Settings settings) {
         Optional<Path> named = settings.get(file);
         return named.isPresent()
-                ? Optional.of(read(named.get()))
+                ? Optional.of(settings.secret(named.get(), this::read))
                 : Optional.ofNullable(settings.environment().get(variable)).filter(text -> !text.isEmpty());
     }
 

@@ -45,7 +45,7 @@ class SettingsTest {
 
     @Test
     @EnabledOnOs(OS.LINUX)
-    @Timeout(60)
+    @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // opening a pipe cannot be interrupted
     void aFileAndASecretMayBePipes() throws Exception {
         Path secret = pipe("secret", "s3cret\n");
         Settings settings = FanOptions.read(

@@ -87,7 +87,7 @@ class BadInputTest {
 
     @Test
     @EnabledOnOs(OS.LINUX)
-    @Timeout(60)
+    @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // opening a pipe cannot be interrupted
     void pipesAndDevicesAreNoModels(@TempDir Path directory) throws Exception {
         Path pipe = directory.resolve("pipe.xml");
         assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
@@ -100,7 +100,7 @@ class BadInputTest {
 
     @Test
     @EnabledOnOs(OS.LINUX)
-    @Timeout(60)
+    @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // opening a pipe cannot be interrupted
     void propertiesMayComeFromAPipe(@TempDir Path directory) throws Exception {
         Path pipe = directory.resolve("pipe.txt");
         assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
