@@ -162,6 +162,12 @@ KNOWN = [
         "./evoloop fleet publish lamp-1 models/light-bulb.xml --timer wait:timeout:2000 --bootstrap HOST:9092",
         why_not=CLUSTER,
     ),
+    Known(
+        "./evoloop fleet --bootstrap HOST:9092 --create-topics --replicas 3 --topic-config min.insync.replicas=2",
+        why_not=CLUSTER,
+    ),
+    Known("./evoloop fleet resend --list --bootstrap HOST:9092", why_not=CLUSTER),
+    Known("./evoloop fleet resend --bootstrap HOST:9092", why_not=CLUSTER),
     Known("./evoloop fleet register --model lamp-1 kitchen hall --bootstrap HOST:9092", why_not=CLUSTER),
     Known("./evoloop fleet --bootstrap HOST:9092", why_not=CLUSTER),
     Known(
