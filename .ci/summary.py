@@ -101,15 +101,17 @@ def failures(module: Path) -> Iterator[str]:
 
 def show_modules() -> None:
     log = (TARGET / "test.log").read_text(encoding="utf-8", errors="replace")
-    directories, unexplained = modules(), True
+    directories = modules()
+    # Maven's own errors are shown only if no test explains them: that the code is wrong, or too little of it is covered.
+    unexplained = "Reactor Summary" not in log
     for name, result, took in (found.groups() for found in map(MODULE.match, log.splitlines()) if found):
         module = directories[name]
         remark = {"SUCCESS": "", "FAILURE": "  FAILED", "SKIPPED": "  not run, since another failed"}[result]
         print(line("parent" if module == Path() else str(module), counts(module).run, seconds(took), remark))
-        for failure in failures(module):
-            unexplained = False
-            print(failure)
-    if "BUILD SUCCESS" not in log and unexplained:
+        failed = list(failures(module))
+        print(*failed, sep="\n", end="\n" if failed else "")
+        unexplained |= result == "FAILURE" and not failed
+    if unexplained:
         errors = [each for each in log.splitlines() if each.startswith("[ERROR]")]
         print("\n".join(errors[:ERROR_LINES]) or last(log, ERROR_LINES))
 

@@ -53,21 +53,21 @@ class SummaryTest(unittest.TestCase):
         file.write_text(text, encoding="utf-8")
         return file
 
-    def maven(self, door: str, status: int, *more: str) -> None:
+    def maven(self, door: str, status: int, *more: str, lamp: str = GOOD) -> None:
         """What Maven writes and prints in the next run."""
-        for module, text in (("lamp", GOOD), ("door", door)):
+        for module, text in (("lamp", lamp), ("door", door)):
             self.write(f"made/{module}.xml", text)
         moves = [f"mkdir -p {m}/target/surefire-reports; cp made/{m}.xml {m}/target/surefire-reports/TEST-{m}.xml" for m in ("lamp", "door")]
         self.write("run", "\n".join([*moves, "echo noise of the door >door/target/surefire-reports/door-output.txt"]))
         result = "FAILURE" if status else "SUCCESS"
         self.write(
             "reactor",
-            f"[INFO] House .............. SUCCESS [  0.501 s]\n[INFO] The lamp ........... SUCCESS [01:16 min]\n"
+            f"[INFO] Reactor Summary\n[INFO] House .............. SUCCESS [  0.501 s]\n[INFO] The lamp ........... SUCCESS [01:16 min]\n"
             f"[INFO] The door ........... {result} [  7.200 s]\n[INFO] BUILD {result}\n" + "".join(f"{each}\n" for each in more),
         )
         self.write("mvnw", f"{MAVEN}exit {status}\n")
 
-    def tested(self) -> tuple[int, list[str]]:
+    def outcome(self) -> tuple[int, list[str]]:
         result = subprocess.run(
             [self.root / "evoloop", "test"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8", timeout=LIMIT_S
         )
@@ -75,7 +75,7 @@ class SummaryTest(unittest.TestCase):
 
     def test_a_run_that_passes_is_a_line_for_each_module(self) -> None:
         self.maven(GOOD, 0)
-        status, printed = self.tested()
+        status, printed = self.outcome()
         self.assertEqual(status, 0, printed)
         self.assertEqual([each.split()[0] for each in printed[:4]], ["parent", "lamp", "door", "documented"])
         self.assertRegex(printed[1], r"^lamp +3 tests +76 s$")
@@ -85,7 +85,7 @@ class SummaryTest(unittest.TestCase):
 
     def test_a_failed_test_prints_its_own_log(self) -> None:
         self.maven(BAD, 1, "[ERROR] There are test failures.")
-        status, printed = self.tested()
+        status, printed = self.outcome()
         self.assertEqual(status, 1, printed)
         self.assertRegex(printed[2], r"^door +2 tests +7 s +FAILED$")
         self.assertEqual(
@@ -99,15 +99,21 @@ class SummaryTest(unittest.TestCase):
 
     def test_another_failure_prints_mavens_errors(self) -> None:
         self.maven(GOOD, 1, "[ERROR] Door.java:[3,7] cannot find symbol", "[INFO] a word about nothing")
-        status, printed = self.tested()
+        status, printed = self.outcome()
         self.assertEqual(status, 1, printed)
         self.assertEqual(printed[3], "[ERROR] Door.java:[3,7] cannot find symbol")
         self.assertTrue(printed[4].startswith("Tests run: 6, "), printed)
 
+    def test_one_failure_hides_no_other(self) -> None:
+        self.maven(GOOD, 1, "[ERROR] Door.java:[3,7] cannot find symbol", lamp=BAD)
+        _, printed = self.outcome()
+        self.assertIn("-- lamp: DoorTest.shuts", printed)
+        self.assertIn("[ERROR] Door.java:[3,7] cannot find symbol", printed)
+
     def test_a_command_that_fails_prints_its_own_log(self) -> None:
         self.maven(GOOD, 0)
         self.write("docs/commands/test_documented.py", DOCUMENTED.format(False))
-        status, printed = self.tested()
+        status, printed = self.outcome()
         self.assertEqual(status, 1, printed)
         self.assertRegex(printed[3], r"^documented commands +1 test +0 s +FAILED$")
         self.assertIn("AssertionError: False is not true", printed)
