@@ -452,12 +452,18 @@ public final class SystemEventConverter implements AutoCloseable {
         return built().knowledge();
     }
 
-    /**
-     * The events that its execute components can send to the device. @throws IllegalStateException if it is not built
-     * yet
-     */
+    /** What its execute components can send to the device. @throws IllegalStateException if it is not built yet */
     public Set<Event> sendableEvents() {
         return built().senders.sendable();
+    }
+
+    /**
+     * The events that a controller may raise, sorted: those of the new model, but no time trigger, no event that only
+     * the device itself can take, and none that only a timer or a function raises. @throws IllegalStateException if it
+     * is not built yet
+     */
+    public Set<Event> controllerEvents() {
+        return ControllerEvents.of(knowledge(), sendableEvents());
     }
 
     /** A snapshot of the status. @throws IllegalStateException if the converter is not built yet */
