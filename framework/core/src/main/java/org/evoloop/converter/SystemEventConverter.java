@@ -188,11 +188,7 @@ public final class SystemEventConverter implements AutoCloseable {
         link = requireNonNull(deviceLink, "the link is null");
     }
 
-    /**
-     * Registers a spare component for {@link #exchange(String, String)}, under a name of its own.
-     *
-     * @throws IllegalStateException if the name is taken
-     */
+    /** Registers a spare for {@link #exchange(String, String)}. @throws IllegalStateException if the name is taken */
     public void addSpare(String name, Supplier<? extends Component> spare) {
         spares.add(name, spare);
     }
@@ -463,11 +459,7 @@ public final class SystemEventConverter implements AutoCloseable {
         return built().senders.sendable();
     }
 
-    /**
-     * The events that a controller may raise, sorted: those of the new model, but no time trigger, no event that only
-     * the device itself can take, and none that only a timer or a function raises. @throws IllegalStateException if it
-     * is not built yet
-     */
+    /** What a controller may raise, sorted: no time trigger, nothing of the device, of timers or of functions alone. */
     public Set<Event> controllerEvents() {
         return ControllerEvents.of(knowledge(), sendableEvents());
     }
