@@ -40,6 +40,9 @@ final class StatusText {
             line(out, "in doubt", status.doubt());
         }
         line(out, "now", now(status));
+        if (!status.timers().isEmpty()) {
+            line(out, "timers", timers(status));
+        }
         ConverterStatus.LinkStatus link = status.link();
         if (link != null) {
             if (!link.up()) {
@@ -91,6 +94,12 @@ final class StatusText {
                         .map(since -> "; last known, since " + SECOND.format(since.atZone(ZoneId.systemDefault())))
                         .orElse("");
         return Names.inOneLine(shown);
+    }
+
+    private static String timers(ConverterStatus status) {
+        return status.timers().stream()
+                .map(ConverterStatus.RunningTimer::describe)
+                .collect(Collectors.joining(", "));
     }
 
     private static String now(ConverterStatus status) {

@@ -1,5 +1,6 @@
 package org.evoloop.converter;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
@@ -31,6 +32,7 @@ import org.jspecify.annotations.Nullable;
  * @param conversionTime how long conversions take
  * @param components every component and its thread
  * @param function the running new function
+ * @param timers the timers of the new model's state that run, the next one first; none while the loop is closed
  * @param faults guards, effects, functions, tasks, listeners and a journal that have failed
  * @param link the connection to the device; null if no link was registered
  * @since 0.1
@@ -48,6 +50,7 @@ public record ConverterStatus(
         ConversionTime conversionTime,
         List<ComponentStatus> components,
         RunningFunction function,
+        List<RunningTimer> timers,
         List<Fault> faults,
         @Nullable LinkStatus link) {
 
@@ -80,6 +83,37 @@ public record ConverterStatus(
                             Stream.of(progress).filter(text -> !text.isEmpty()),
                             readings.stream().map(Reading::toString))
                     .collect(Collectors.joining(", "));
+        }
+    }
+
+    /**
+     * A timer of the new model's state.
+     *
+     * @param event the event that it raises, such as {@code tm(5min)}
+     * @param remaining the time left until then, by the converter's clock; zero if it is due and waits for its turn
+     * @param due the wall-clock time of that moment; it stays the same while the timer runs
+     */
+    public record RunningTimer(String event, Duration remaining, Instant due) {
+        private static final int TENTHS_SHOWN_BELOW_SECONDS = 10;
+        private static final int MINUTES_SHOWN_FROM_SECONDS = 120;
+        private static final int HOURS_SHOWN_FROM_SECONDS = 7200;
+
+        /** For people: {@code tm(5min) in 4 min 30 s}. */
+        public String describe() {
+            return event + " in " + inWords();
+        }
+
+        private String inWords() {
+            long tenths = remaining.plusMillis(50).toMillis() / 100;
+            long seconds = remaining.plusMillis(500).toSeconds();
+            if (seconds < TENTHS_SHOWN_BELOW_SECONDS) {
+                return tenths / 10 + "." + tenths % 10 + " s";
+            } else if (seconds < MINUTES_SHOWN_FROM_SECONDS) {
+                return seconds + " s";
+            } else if (seconds < HOURS_SHOWN_FROM_SECONDS) {
+                return seconds / 60 + " min " + seconds % 60 + " s";
+            }
+            return seconds / 3600 + " h " + seconds / 60 % 60 + " min";
         }
     }
 

@@ -1,5 +1,6 @@
 package org.evoloop.mqtt;
 
+import java.net.URI;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
@@ -9,6 +10,7 @@ import java.util.Set;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.stream.Collectors;
 import org.evoloop.console.Console;
 import org.evoloop.console.JsonObject;
 import org.evoloop.console.OfferedModels;
@@ -23,6 +25,7 @@ import org.evoloop.evolution.Occurrence;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.Failure;
 import org.evoloop.loop.LoopState;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.time.Threads;
 import org.jspecify.annotations.Nullable;
@@ -68,12 +71,14 @@ public final class HomeAssistant implements AutoCloseable {
 
     private @Nullable Errand errand;
     private @Nullable Vacuum vacuum;
+    private @Nullable URI page;
     private @Nullable Thread thread;
     private volatile String lastFailure = "";
 
     /** Shows a console's converter there, and lets one of the {@linkplain OfferedModels models that it offers} be chosen. */
     public HomeAssistant(Console console, BrokerAddress address) {
         this(console.converters().get(0), address);
+        page = console.page().orElse(null);
         console.offeredModels()
                 .filter(offered -> offered.references().size() > 1)
                 .map(offered -> Choice.among(offered, converter))
@@ -113,7 +118,7 @@ public final class HomeAssistant implements AutoCloseable {
     public void goTo(State state) {
         Errand begun = new Errand(
                 converter.knowledge().models().evolved(),
-                HomeButtons.of(converter),
+                buttons(),
                 state,
                 controller::press,
                 converter.clock().nanoTime());
@@ -121,6 +126,13 @@ public final class HomeAssistant implements AutoCloseable {
         if (proceed(begun)) {
             errand = begun;
         }
+    }
+
+    /** The names of the events that a controller may raise. */
+    private Set<String> buttons() {
+        return converter.controllerEvents().stream()
+                .map(Event::name)
+                .collect(Collectors.toCollection(LinkedHashSet::new));
     }
 
     private boolean proceed(Errand begun) {
@@ -287,7 +299,7 @@ public final class HomeAssistant implements AutoCloseable {
 
     private String config(ConverterStatus status) {
         HomeDiscovery discovery = new HomeDiscovery(topics, status.name())
-                .converter(converter.knowledge().models(), HomeButtons.of(converter));
+                .converter(converter.knowledge().models(), buttons());
         if (vacuum != null) {
             discovery.vacuum();
         }
@@ -299,7 +311,7 @@ public final class HomeAssistant implements AutoCloseable {
         }
         readings.forEach(discovery::reading);
         choices.forEach(discovery::choice);
-        return discovery.payload();
+        return discovery.payload(page);
     }
 
     private void publish(Message message) {
