@@ -83,7 +83,8 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
     protected void assemble(MapeLoop<Percept, Situation, Maneuver> loop, Visit visit) {
         StartPointSensor sensor = startPoint.apply(visit.clock());
         visit.onEnd(sensor::close);
-        MonitorSenses monitor = new MonitorSenses(loop, sensor, session::isUndocking, visit);
+        MonitorSenses monitor = new MonitorSenses(loop, sensor, session::isUndocking, options.frameLimit(), visit);
+        visit.onEnd(monitor::close);
         loop.addMonitor(monitor);
         ObeyWatch obeyWatch = new ObeyWatch(options.frameLimit().toNanos());
         loop.addAnalyze(new AnalyzeSituation(options, obeyWatch, visit));
@@ -132,6 +133,7 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
         private final Visit visit;
         private final MoveOptions options;
         private final long beganNanos;
+        private @Nullable Situation last;
 
         AnalyzeSituation(MoveOptions options, ObeyWatch obeyWatch, Visit visit) {
             this.options = options;
@@ -143,6 +145,13 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
 
         @Override
         protected Situation analyze(Percept percept) {
+            Situation before = last;
+            Situation now = before != null && !percept.heard() ? before.unheard(percept.nanos()) : heard(percept);
+            last = now;
+            return now;
+        }
+
+        private Situation heard(Percept percept) {
             Telemetry now = percept.telemetry();
             if (obeyWatch.update(now.values(), now.isUnderControl(), percept.nanos())) {
                 LOG.warn("the wheels {}", DISOBEYING);
