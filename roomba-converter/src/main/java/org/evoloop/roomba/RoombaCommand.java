@@ -15,7 +15,6 @@ import org.evoloop.config.Options;
 import org.evoloop.config.Settings;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
-import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.link.Link;
 import org.evoloop.link.SerialLink;
 import org.evoloop.link.SerialSettings;
@@ -208,10 +207,8 @@ final class RoombaCommand implements Callable<Integer> {
 
     private void showAtHome(RoombaConverter roomba, Console console) {
         MqttOptions.broker(settings).ifPresent(broker -> {
-            SystemEventConverter converter = roomba.converter();
             HomeAssistant home = new HomeAssistant(console, broker);
-            home.vacuum(new RoombaVacuum(
-                    home, roomba.session(), () -> converter.knowledge().models()));
+            home.vacuum(new RoombaVacuum(home, roomba.session(), roomba.converter()));
             home.open();
             console.onEnd(reason -> home.close());
         });
