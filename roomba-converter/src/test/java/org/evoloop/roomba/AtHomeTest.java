@@ -35,6 +35,8 @@ class AtHomeTest {
                     log, "--simulate", "--speed", "10", "--start", "--spot-wait", "20", "--mqtt", broker.url());
             try {
                 watcher.awaitNewest(VACUUM, "idle");
+                assertThat(watcher.newest("homeassistant/device/evoloop_roomba/config"))
+                        .contains("\"supported_features\":[\"start\",\"stop\",\"pause\",\"clean_spot\",\"locate\",");
                 watcher.publish(COMMAND, "start", false);
                 watcher.awaitNewest(VACUUM, "cleaning");
                 watcher.awaitNewest(STATE, "\"device_state\":\"Clean\"");
