@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import org.evoloop.RoombaPair;
 import org.evoloop.converter.HistoryEntry;
+import org.evoloop.converter.Trouble;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.function.Reading;
 import org.evoloop.mqtt.BrokerAddress;
@@ -213,6 +214,8 @@ class HomeTest {
         roomba.robot.lift();
         until("Error", "Error", 2);
         assertThat(readings()).containsEntry("lifted", true).containsEntry("error", "a wheel hangs in the air");
+        assertThat(roomba.roomba.converter().status().troubles())
+                .containsExactly(new Trouble(Trouble.DEVICE, "a wheel hangs in the air", 1));
 
         roomba.robot.setDown();
 

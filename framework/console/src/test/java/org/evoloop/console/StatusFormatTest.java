@@ -75,7 +75,7 @@ class StatusFormatTest {
                         "now         Move: driving there, distance 1.2 m",
                         "device      battery 93 %, charging source home \"base\"; not docked",
                         "link        up, /dev/ttyUSB0",
-                        "trouble     Motors is stuck, 3 failures, 1 event failed, 1 event dropped; "
+                        "trouble     Motors is stuck; guard.full: no scales; 1 event failed; 1 event dropped; "
                                 + "see status --all and history");
     }
 

@@ -108,7 +108,11 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
     }
 
     private void end(Visit visit, Ending ending) {
-        LOG.warn("Move has ended before the starting point: {}", ending.reason());
+        if (ending.byPerson()) {
+            LOG.warn("Move has ended before the starting point: {}", ending.reason());
+        } else {
+            visit.failed("ended before the starting point: " + ending.reason());
+        }
         visit.say("Stop before target point: " + ending.reason());
         Stream.of(ending.byPerson() ? "" : TIMEOUT, back.event(ending.work()), back.event(Optional.empty()))
                 .filter(event -> !event.isEmpty() && visit.accepts(event))
@@ -154,7 +158,7 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
         private Situation heard(Percept percept) {
             Telemetry now = percept.telemetry();
             if (obeyWatch.update(now.values(), now.isUnderControl(), percept.nanos())) {
-                LOG.warn("the wheels {}", DISOBEYING);
+                visit.failed("the wheels " + DISOBEYING);
                 visit.say("The wheels " + DISOBEYING);
             }
             return Situation.of(percept.nanos(), percept.telemetry(), goalWatch.update(percept), ending(percept));
