@@ -76,6 +76,8 @@ KNOWN = [
     Known("./evoloop test --ci", why_not=THIS),
     Known("./evoloop test --oracles", why_not="network: downloads checkers from PyPI; a separate test run"),
     Known("./evoloop test --interop", why_not="network: downloads clients from PyPI; a separate test run"),
+    Known("./evoloop test --fresh", why_not="root and network: bare Debians, in which this test runs"),
+    Known("./evoloop test --fresh trixie", why_not="root and network: a bare Debian, in which this test runs"),
     Known("./evoloop test --package", why_not="root and network: separate Debians; a separate test run"),
     typed("./evoloop package", slow=True, shows="target/evoloop_"),
     Known("./evoloop test --home-assistant", why_not="root and network: a separate Debian; a separate test run"),
@@ -166,6 +168,12 @@ KNOWN = [
         "./evoloop fleet publish lamp-1 models/light-bulb.xml --timer wait:timeout:2000 --bootstrap HOST:9092",
         why_not=CLUSTER,
     ),
+    Known(
+        "./evoloop fleet --bootstrap HOST:9092 --create-topics --replicas 3 --topic-config min.insync.replicas=2",
+        why_not=CLUSTER,
+    ),
+    Known("./evoloop fleet resend --list --bootstrap HOST:9092", why_not=CLUSTER),
+    Known("./evoloop fleet resend --bootstrap HOST:9092", why_not=CLUSTER),
     Known("./evoloop fleet register --model lamp-1 kitchen hall --bootstrap HOST:9092", why_not=CLUSTER),
     Known("./evoloop fleet --bootstrap HOST:9092", why_not=CLUSTER),
     Known(

@@ -159,6 +159,8 @@ interface SimulatedWorld extends AutoCloseable {
         Path drawing = folder.resolve(DRAWING);
         List<String> command = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                // As in the program's manifest, which counts only with -jar.
+                "--enable-native-access=ALL-UNNAMED",
                 "-cp",
                 System.getProperty("java.class.path"),
                 Main.class.getName(),

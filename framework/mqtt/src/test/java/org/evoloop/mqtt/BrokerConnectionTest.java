@@ -158,6 +158,11 @@ class BrokerConnectionTest {
         assertThat(trouble(own, foreign.certificate())).contains("certificate is not trusted", "?ca=FILE");
         assertThat(trouble(misnamed, misnamed.certificate())).contains("certificate is not trusted", "127.0.0.1");
         assertThat(trouble(own, own.certificate())).isEmpty();
+        Path pipe = directory.resolve("pipe");
+        assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
+                .isZero();
+        new ProcessBuilder("cp", own.certificate().toString(), pipe.toString()).start();
+        assertThat(trouble(own, pipe)).isEmpty();
     }
 
     /** The error for a broker that presents one certificate if the client trusts another. */

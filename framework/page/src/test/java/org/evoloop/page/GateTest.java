@@ -127,7 +127,8 @@ class GateTest {
         }
         assertThat(ask("GET", "/about", "", "Host: localhost:" + shown.page.port()))
                 .startsWith("HTTP/1.1 200");
-        assertThat(ask("GET", "/about", "", "X-No: host")).startsWith("HTTP/1.1 403");
+        // Newer JDKs' servers refuse it themselves, with 400.
+        assertThat(ask("GET", "/about", "", "X-No: host")).matches("(?s)HTTP/1\\.1 40[03] .*");
     }
 
     @ParameterizedTest
