@@ -124,6 +124,12 @@ KNOWN = [
         "./evoloop lightbulb --start --switch-pin 17 --lamp-pins 23,24 < /dev/null",
         why_not="hardware: a Raspberry Pi with a button and two LEDs; WiringTest has them on Pi4J's mocked pins",
     ),
+    Known(
+        "./evoloop lightbulb --start --on-trouble 'logger -t evoloop \"$EVOLOOP_TROUBLE\"'",
+        run="./evoloop lightbulb --start --on-trouble true",
+        input="switch\nexit\n",
+        shows="switch",
+    ),
     Known("./evoloop lightbulb --start --name lamp < /dev/null &", why_not="runs until it is ended; ServiceProcessTest runs one"),
     typed("./evoloop ctl", shows=""),
     Known("./evoloop ctl lamp status --json", run="./evoloop ctl --help", shows="status --json"),

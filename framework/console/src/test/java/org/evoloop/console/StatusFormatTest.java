@@ -85,7 +85,7 @@ class StatusFormatTest {
                         "timers      tm(90s) in 61 s, tm(5min) in 4 min 30 s, timeout in 3 h 7 min",
                         "device      battery 93 %, charging source home \"base\"; not docked",
                         "link        up, /dev/ttyUSB0",
-                        "trouble     Motors is stuck, 3 failures, 1 event failed, 1 event dropped; "
+                        "trouble     Motors is stuck; guard.full: no scales; 1 event failed; 1 event dropped; "
                                 + "see status --all and history");
     }
 

@@ -2,6 +2,7 @@ package org.evoloop.converter;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -53,6 +54,33 @@ public record ConverterStatus(
         List<RunningTimer> timers,
         List<Fault> faults,
         @Nullable LinkStatus link) {
+
+    /**
+     * What is wrong: first what holds now, and then what has failed since the converter was built, one entry a part.
+     */
+    public List<Trouble> troubles() {
+        List<Trouble> found = new ArrayList<>();
+        LinkStatus device = link;
+        if (device != null && !device.up()) {
+            found.add(new Trouble(Trouble.LINK, device.text(), 1));
+        }
+        if (!doubt.isEmpty()) {
+            found.add(new Trouble(Trouble.RECORD, doubt, 1));
+        }
+        if (device != null && !device.error().isEmpty()) {
+            found.add(new Trouble(Trouble.DEVICE, device.error(), 1));
+        }
+        for (ComponentStatus component : components) {
+            if (component.activity() == ComponentStatus.Activity.STUCK) {
+                // When it has been given up, that is a failure: the same trouble.
+                found.add(new Trouble(component.name(), component.name() + " is stuck", component.failures() + 1));
+            } else if (component.failures() > 0) {
+                found.add(Trouble.failures(component.name(), component.failures(), component.lastFailure()));
+            }
+        }
+        faults.forEach(fault -> found.add(Trouble.failures(fault.part(), fault.failures(), fault.lastFailure())));
+        return found;
+    }
 
     /** The number of events by outcome, see {@link org.evoloop.core.Outcome}. */
     public record EventCounts(long handled, long ignored, long stale, long failed) {}
@@ -135,6 +163,15 @@ public record ConverterStatus(
         /** Leaves out readings that may no longer hold. */
         public LinkStatus {
             readings = up ? List.copyOf(readings) : List.of();
+        }
+
+        /** What the device itself says is wrong, in its reading {@code error}; empty if nothing is. */
+        public String error() {
+            return readings.stream()
+                    .filter(reading -> reading.name().equals("error") && !"none".equals(reading.value()))
+                    .map(reading -> String.valueOf(reading.value()))
+                    .findFirst()
+                    .orElse("");
         }
     }
 }

@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.evoloop.console.Console;
 import org.evoloop.console.JsonObject;
@@ -44,7 +45,8 @@ import org.slf4j.LoggerFactory;
  * <p>Lifecycle: made when the converter has been built; {@link #vacuum} and {@link #choice}; {@link #open}, which does
  * not wait for the broker; {@link #close}, after which the device is unavailable.
  *
- * <p>Threading: {@link #open} and what comes before on one thread; {@link #goTo} for the vacuum, on its. The
+ * <p>Threading: {@link #open} and what comes before on one thread; {@link #goTo} and {@link #stay}
+ * for the vacuum, on its. The
  * converter's threads never wait for the broker.
  *
  * @since 0.1
@@ -110,16 +112,28 @@ public final class HomeAssistant implements AutoCloseable {
 
     /**
      * Raises the controller's events, one after another, that take the new model to a state, as a person would press
-     * buttons. Returns after the first, and ends an earlier call's work. It gives up after a minute.
+     * buttons. Returns after the first, and ends an earlier call's work. It gives up after a minute, and when something
+     * else happens on the way.
      *
      * @param state of the new model
      * @throws IllegalStateException if no events of a controller lead there, or the converter is stopped
      */
     public void goTo(State state) {
+        goTo(state, any -> true);
+    }
+
+    /**
+     * As {@link #goTo(State)}, through certain states only.
+     *
+     * @param mayPass whether the way may lead through this state of the new model; not asked about its ends
+     * @throws IllegalStateException if no events of a controller lead there on such a way, or the converter is stopped
+     */
+    public void goTo(State state, Predicate<State> mayPass) {
         Errand begun = new Errand(
                 converter.knowledge().models().evolved(),
                 buttons(),
                 state,
+                mayPass,
                 controller::press,
                 converter.clock().nanoTime());
         errand = null;
@@ -133,6 +147,11 @@ public final class HomeAssistant implements AutoCloseable {
         return converter.controllerEvents().stream()
                 .map(Event::name)
                 .collect(Collectors.toCollection(LinkedHashSet::new));
+    }
+
+    /** Ends the work of an earlier {@link #goTo}: no further events are raised for it. */
+    public void stay() {
+        errand = null;
     }
 
     private boolean proceed(Errand begun) {
@@ -301,7 +320,7 @@ public final class HomeAssistant implements AutoCloseable {
         HomeDiscovery discovery = new HomeDiscovery(topics, status.name())
                 .converter(converter.knowledge().models(), buttons());
         if (vacuum != null) {
-            discovery.vacuum();
+            discovery.vacuum(vacuum.commands());
         }
         if (status.link() != null) {
             discovery.link();

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.Properties;
+import java.util.Set;
 import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
 import org.evoloop.console.JsonObject;
@@ -140,17 +141,24 @@ final class HomeDiscovery {
                         .put("entity_category", DIAGNOSTIC));
     }
 
-    /** The vacuum, after which the device is named. */
-    HomeDiscovery vacuum() {
+    /** The vacuum, after which the device is named, with the commands that it offers. */
+    HomeDiscovery vacuum(Set<Vacuum.Command> commands) {
+        List<String> features = new ArrayList<>();
+        commands.forEach(command -> features.add(feature(command)));
+        features.add("status");
         return add(
                 "vacuum",
                 "vacuum",
                 null,
                 vacuum -> vacuum.put("state_topic", topics.vacuum())
                         .put("command_topic", topics.vacuumCommand())
-                        .putTexts(
-                                "supported_features",
-                                List.of("start", "stop", "pause", "return_home", "clean_spot", "locate", "status")));
+                        .putTexts("supported_features", features));
+    }
+
+    private static String feature(Vacuum.Command command) {
+        return command == Vacuum.Command.RETURN_TO_BASE
+                ? "return_home"
+                : command.name().toLowerCase(Locale.ROOT);
     }
 
     /** The differences of a shadow, and the button that promotes it. */
