@@ -22,9 +22,9 @@ import org.jspecify.annotations.Nullable;
  *       an enabled branch is not taken. Of a state's transitions on one event, the guarded ones are tried first, in
  *       drawing order, then the one without a guard, then {@code [else]}.
  *   <li>An event goes to the innermost state that has a transition for it; enclosing states do not see it. All
- *       orthogonal regions see it, in drawing order, and are left and entered in that order. But an internal
- *       transition comes before the one that leaves its state.
- *   <li>Of transitions in different regions of which only one can be taken, the first is taken if one of them has a
+ *       orthogonal regions see it, in drawing order, and are left and entered in that order.
+ *   <li>Of transitions in different regions of which only one can be taken (both leave the same state, or one leaves the
+ *       state in which the other is internal), the first is taken if one of them has a
  *       guard. Otherwise it is a problem, unless the outcome is the same whichever is taken, or the machine never comes
  *       there.
  *   <li>Each segment of a transition through pseudostates leaves and enters the states between its two ends. A fork has

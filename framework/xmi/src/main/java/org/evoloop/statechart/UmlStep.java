@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.Deque;
 import java.util.HashSet;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import org.evoloop.statechart.Vertex.Kind;
@@ -77,12 +76,13 @@ final class UmlStep implements Step {
      * the same outcome.
      */
     private Outcome decided(Snapshot before, List<Take> takes) {
-        Rivals rivals = new Rivals(
-                takes.stream().map(take -> body.exitedBy(take.path())).toList(),
-                takes.stream().map(Take::isGuarded).toList());
+        Rivals rivals = new Rivals(takes.stream()
+                .map(take -> new Rivals.Rival(
+                        body.exitedBy(take.path()), take.first().isInternal() ? take.state() : null, take.isGuarded()))
+                .toList());
         Outcome decided = null;
         for (List<Integer> choice : rivals.choices()) {
-            Outcome outcome = take(before, inOrder(choice, takes, rivals));
+            Outcome outcome = take(before, choice.stream().map(takes::get).toList());
             if (decided != null && !decided.isLike(outcome)) {
                 throw undecided(takes, rivals);
             }
@@ -100,21 +100,6 @@ final class UmlStep implements Step {
                 "one event triggers two transitions in different regions of which only one can be taken: " + one
                         + " and " + other,
                 "give one of them another event, or guard both");
-    }
-
-    /** In document order, but an internal transition comes before the one that leaves its state. */
-    private static List<Take> inOrder(List<Integer> choice, List<Take> takes, Rivals rivals) {
-        Set<Take> ordered = new LinkedHashSet<>();
-        for (int number : choice) {
-            for (int other : choice) {
-                Take internal = takes.get(other);
-                if (internal.first().isInternal() && rivals.leaves(number, internal.state())) {
-                    ordered.add(internal);
-                }
-            }
-            ordered.add(takes.get(number));
-        }
-        return List.copyOf(ordered);
     }
 
     private Outcome take(Snapshot before, List<Take> takes) {

@@ -78,7 +78,7 @@ final class Interpreter {
                 waits = !fires.isEmpty();
                 return null;
             }
-            fireAll(chosen);
+            chosen.forEach(this::fire);
         }
         runCompletions();
         return actions;
@@ -234,14 +234,20 @@ final class Interpreter {
         }
     }
 
+    /** An internal transition conflicts only with those that leave its state. */
     private List<List<Arc>> withoutConflicts(List<List<Arc>> fires) {
         List<List<Arc>> kept = new ArrayList<>();
         Set<String> taken = new HashSet<>();
+        Set<String> internal = new HashSet<>();
         for (List<Arc> fire : fires) {
+            boolean stays = fire.get(0).kind() == Arc.Kind.INTERNAL;
             Set<String> exits = exits(fire);
-            if (exits.stream().noneMatch(taken::contains)) {
+            if (stays
+                    ? !taken.contains(fire.get(0).source())
+                    : exits.stream().noneMatch(key -> taken.contains(key) || internal.contains(key))) {
                 kept.add(fire);
                 taken.addAll(exits);
+                internal.addAll(stays ? Set.of(fire.get(0).source()) : Set.of());
             }
         }
         return kept;
@@ -282,23 +288,6 @@ final class Interpreter {
     }
 
     // Execution
-
-    /** In the order of the regions, but no internal transition after its state was left. */
-    private void fireAll(List<List<Arc>> chosen) {
-        Set<List<Arc>> fired = new HashSet<>();
-        for (List<Arc> fire : chosen) {
-            Set<String> exits = exits(fire);
-            for (List<Arc> other : chosen) {
-                Arc first = other.get(0);
-                if (first.kind() == Arc.Kind.INTERNAL && exits.contains(first.source()) && fired.add(other)) {
-                    fire(other);
-                }
-            }
-            if (fired.add(fire)) {
-                fire(fire);
-            }
-        }
-    }
 
     private void fire(List<Arc> path) {
         Set<ChartState> opened = new LinkedHashSet<>();

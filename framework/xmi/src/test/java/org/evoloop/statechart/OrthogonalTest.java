@@ -64,11 +64,17 @@ class OrthogonalTest {
     }
 
     @Test
-    void anInternalTransitionRunsBeforeItsStateIsLeftInAnotherRegion() {
+    void anInternalTransitionConflictsWithOneThatLeavesItsState() {
         ChartState parallel = state(
                 "P", region(initial("ix"), state("x")), region(initial("iy"), internal(state("y"), "d", "inside")));
 
-        assertThat(flat(parallel, "A P e", "x A d / t")).contains("(x, y) --d--> A / inside -x -y -P t +A");
+        assertThat(Flattening.of(drawn(parallel, "A P e", "x A d / t")).problems())
+                .singleElement()
+                .asString()
+                .contains("of which only one can be taken");
+        assertThat(flat(parallel, "A P e", "x A d [g] / t"))
+                .contains("(x, y) --d [g]--> A / -x -y -P t +A", "(x, y) --d--> (x, y) / inside internal");
+        assertThat(flat(parallel, "A P e", "x x d / t")).contains("(x, y) --d--> (x, y) / -x t +x inside");
     }
 
     private static ChartState internal(ChartState state, String event, String effect) {

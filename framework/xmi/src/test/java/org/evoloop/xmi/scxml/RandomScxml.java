@@ -126,10 +126,7 @@ final class RandomScxml {
         if (!histories.isEmpty() && chance(25)) {
             return one(histories).id();
         }
-        List<Drawn> parallels = all.stream()
-                .filter(state ->
-                        state.kind().equals("parallel") && state.inner().size() > 1)
-                .toList();
+        List<Drawn> parallels = parallels();
         return !parallels.isEmpty() && chance(20) ? split(one(parallels)) : one(all).id();
     }
 
@@ -146,9 +143,17 @@ final class RandomScxml {
 
     /** One state inside this one, or several in different children of a parallel state. */
     private String inside(Drawn state) {
-        return state.kind().equals("parallel") && state.inner().size() > 1 && chance(50)
-                ? split(state)
-                : within(one(state.inner()));
+        List<Drawn> parallels = parallels().stream()
+                .filter(parallel -> parallel == state || isInside(parallel, state))
+                .toList();
+        return !parallels.isEmpty() && chance(40) ? split(one(parallels)) : within(one(state.inner()));
+    }
+
+    private List<Drawn> parallels() {
+        return all.stream()
+                .filter(state ->
+                        state.kind().equals("parallel") && state.inner().size() > 1)
+                .toList();
     }
 
     private String initial(Drawn state) {
