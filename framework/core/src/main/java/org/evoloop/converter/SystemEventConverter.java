@@ -188,11 +188,7 @@ public final class SystemEventConverter implements AutoCloseable {
         link = requireNonNull(deviceLink, "the link is null");
     }
 
-    /**
-     * Registers a spare component for {@link #exchange(String, String)}, under a name of its own.
-     *
-     * @throws IllegalStateException if the name is taken
-     */
+    /** Registers a spare for {@link #exchange(String, String)}. @throws IllegalStateException if the name is taken */
     public void addSpare(String name, Supplier<? extends Component> spare) {
         spares.add(name, spare);
     }
@@ -458,12 +454,14 @@ public final class SystemEventConverter implements AutoCloseable {
         return built().knowledge();
     }
 
-    /**
-     * The events that its execute components can send to the device. @throws IllegalStateException if it is not built
-     * yet
-     */
+    /** What its execute components can send to the device. @throws IllegalStateException if it is not built yet */
     public Set<Event> sendableEvents() {
         return built().senders.sendable();
+    }
+
+    /** What a controller may raise, sorted: no time trigger, nothing of the device, of timers or of functions alone. */
+    public Set<Event> controllerEvents() {
+        return ControllerEvents.of(knowledge(), sendableEvents());
     }
 
     /** A snapshot of the status. @throws IllegalStateException if the converter is not built yet */

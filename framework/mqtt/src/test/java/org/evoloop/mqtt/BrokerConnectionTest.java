@@ -55,6 +55,24 @@ class BrokerConnectionTest {
     }
 
     @Test
+    void aConnectionOnWhichNothingIsPublishedSaysThatItIsThere() throws Exception {
+        try (Mosquitto broker = new Mosquitto(directory).start();
+                BrokerConnection connection = connection(broker.url())) {
+            assertThat(connection.describe()).isEqualTo(broker.url() + " has not been reached yet");
+            connection.subscribe("lamp/button", message -> {});
+            connection.open();
+            for (int restart = 0; restart < 2; restart++) {
+                await().atMost(LIMIT).until(connection::isUp);
+                assertThat(connection.describe()).isEqualTo(broker.url());
+                broker.stop();
+                await().atMost(LIMIT).until(() -> !connection.isUp());
+                assertThat(connection.describe()).startsWith(broker.url()).isNotEqualTo(broker.url());
+                broker.start();
+            }
+        }
+    }
+
+    @Test
     void whoeverWaitsForRoomLosesNothing() throws Exception {
         List<String> heard = new CopyOnWriteArrayList<>();
         try (Mosquitto broker = new Mosquitto(directory).start();
