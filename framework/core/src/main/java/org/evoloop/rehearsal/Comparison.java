@@ -2,9 +2,9 @@ package org.evoloop.rehearsal;
 
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -41,10 +41,7 @@ public final class Comparison {
     private final Consumer<Ending> endings;
     private final Chronicle converter = new Chronicle(this::ended);
 
-    /** Numbers of the converter's occurrences, with those that the other models have for them, and the reverse. */
-    private final Map<Long, Long> there = new HashMap<>();
-
-    private final Map<Long, Long> back = new HashMap<>();
+    private final Pairs pairs = new Pairs();
 
     /** How occurrences ended in the converter that have not ended in the other models; by the converter's numbers. */
     private final Map<Long, Optional<Ending>> then = new HashMap<>();
@@ -90,15 +87,14 @@ public final class Comparison {
      * @param from the other models' state; what waits there has the converter's numbers
      */
     public void begin(Core recorded, Rules rules, Snapshot from) {
-        there.clear();
-        back.clear();
+        pairs.clear();
         then.clear();
         early.clear();
         over.clear();
-        Set<Long> waiting = numbers(recorded);
+        Set<Long> waiting = Pairs.open(recorded);
         for (Pending pending : from.waiting()) {
             if (waiting.contains(pending.number())) {
-                pair(pending.number(), pending.number());
+                pairs.add(pending.number(), pending.number());
             }
         }
         Rehearsal other = new Rehearsal(rules, from, this::recordedOf, this::otherEnded);
@@ -172,31 +168,15 @@ public final class Comparison {
         beside = null;
     }
 
-    private void pair(long number, long others) {
-        there.put(number, others);
-        back.put(others, number);
-    }
-
     private void part(long number) {
-        Long others = there.remove(number);
+        Long others = pairs.remove(number);
         if (others != null) {
-            back.remove(others);
             early.remove(others);
         }
     }
 
-    private static Set<Long> numbers(Core core) {
-        Snapshot snapshot = core.snapshot();
-        Set<Long> numbers = new HashSet<>();
-        snapshot.waiting().forEach(pending -> numbers.add(pending.number()));
-        if (snapshot.work() != null) {
-            numbers.add(snapshot.work().pending().number());
-        }
-        return numbers;
-    }
-
     private @Nullable Ending recordedOf(long others) {
-        Long number = back.get(others);
+        Long number = pairs.converters(others);
         Optional<Ending> ending = number == null ? null : then.get(number);
         return ending == null ? null : ending.orElse(null);
     }
@@ -214,7 +194,7 @@ public final class Comparison {
             early.put(other.observed(), Optional.ofNullable(ending));
             return;
         }
-        Long recorded = back.get(number);
+        Long recorded = pairs.converters(number);
         if (recorded == null) {
             if (ending != null && isTimer(ending) && number > 0) {
                 compared.compared(ending.ended().occurrence(), null, ending.verdict());
@@ -285,7 +265,7 @@ public final class Comparison {
                 othersDoubted = others;
             }
             inStep &= numberOf(converter.begun()) > 0
-                    && there.getOrDefault(numberOf(converter.begun()), 0L) == numberOf(other.begun())
+                    && Objects.equals(pairs.others(numberOf(converter.begun())), numberOf(other.begun()))
                     && recorded.isBusy()
                     && other.core.isBusy();
             List<Over> ended = List.copyOf(over);
@@ -367,7 +347,7 @@ public final class Comparison {
         private void came(long others, boolean lost) {
             long number = recorded.tally().observed();
             if (others > 0 && !lost && number > earlier.tally().observed()) {
-                pair(number, others);
+                pairs.add(number, others);
             } else {
                 early.remove(others);
             }
@@ -403,7 +383,7 @@ public final class Comparison {
                 }
                 return;
             }
-            Long others = there.get(begun.number());
+            Long others = pairs.others(begun.number());
             boolean comes = others == null || other.isOpen(others);
             for (Pending next = upcoming(); comes && next != null; next = upcoming()) {
                 boolean same = others == null ? isAlike(next, begun) : next.number() == others;
@@ -413,7 +393,7 @@ public final class Comparison {
                     return;
                 }
                 if (same) {
-                    pair(begun.number(), present.number());
+                    pairs.add(begun.number(), present.number());
                     inStep = true;
                     return;
                 }
@@ -427,8 +407,8 @@ public final class Comparison {
         }
 
         private boolean isAlike(Pending others, Pending pending) {
-            return !there.containsKey(pending.number())
-                    && !back.containsKey(others.number())
+            return pairs.others(pending.number()) == null
+                    && pairs.converters(others.number()) == null
                     && pending.occurrence().source() == others.occurrence().source()
                     && pending.occurrence().getClass() == others.occurrence().getClass()
                     && !(pending.occurrence() instanceof Occurrence.Heard);
@@ -452,7 +432,7 @@ public final class Comparison {
 
         /** Whether this has its turn when the converter's has. */
         private boolean waits(Pending next) {
-            Long number = next.number() == 0 ? null : back.get(next.number());
+            Long number = next.number() == 0 ? null : pairs.converters(next.number());
             if (number != null) {
                 return !then.containsKey(number);
             }
@@ -473,11 +453,11 @@ public final class Comparison {
             if (number == 0) {
                 return;
             }
-            Long others = there.get(number);
+            Long others = pairs.others(number);
             if (others == null && ending != null && ending.ended().occurrence() instanceof Occurrence.Found found) {
                 // No monitor has reported it: the device was asked, or obeyed late.
                 others = other.find(found);
-                pair(number, others);
+                pairs.add(number, others);
             }
             if (others == null || others == 0) {
                 part(number);
@@ -509,8 +489,8 @@ public final class Comparison {
         }
 
         private void forgetWhatIsGone() {
-            Set<Long> open = numbers(recorded);
-            Set<Long> gone = new HashSet<>(there.keySet());
+            Set<Long> open = Pairs.open(recorded);
+            Set<Long> gone = pairs.all();
             gone.removeAll(open);
             gone.removeAll(then.keySet());
             gone.forEach(Comparison.this::part);

@@ -137,9 +137,7 @@ final class Rehearsal extends Chronicle {
 
     /** Whether it has not ended. */
     boolean isOpen(long number) {
-        Snapshot now = core.snapshot();
-        return (now.work() != null && now.work().pending().number() == number)
-                || now.waiting().stream().anyMatch(pending -> pending.number() == number);
+        return Pairs.open(core).contains(number);
     }
 
     /** Whether an occurrence is in progress, and does not wait until the converter is opened. */
