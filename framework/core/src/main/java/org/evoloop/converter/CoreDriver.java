@@ -6,8 +6,6 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Supplier;
 import org.evoloop.core.Core;
-import org.evoloop.core.Input;
-import org.evoloop.core.Inputs;
 import org.evoloop.core.Output;
 import org.evoloop.core.Pending;
 import org.evoloop.core.Rules;
@@ -36,8 +34,8 @@ final class CoreDriver {
 
     final Core core;
 
-    /** The core, or the journal that records inputs on their way to it. */
-    final Inputs inputs;
+    /** The core, behind the journal that records its inputs if there is one; a shadow hears of them, too. */
+    final ShadowedInputs inputs;
 
     final CoreOutputs outputs;
     final Clock clock;
@@ -47,9 +45,6 @@ final class CoreDriver {
     private final Watchman watchman;
 
     private volatile Rules rules;
-
-    /** The shadow, which gets the same inputs; null if there is none. */
-    private @Nullable ShadowCore shadow;
 
     private volatile @Nullable Decision decided;
 
@@ -89,7 +84,7 @@ final class CoreDriver {
             core.recovered(clock.nanoTime());
         }
         this.journal = journal;
-        this.inputs = journal == null ? core : journal.keep(core, books::journalFailed);
+        this.inputs = new ShadowedInputs(journal == null ? core : journal.keep(core, books::journalFailed));
     }
 
     /** Starts watching the models. */
@@ -150,7 +145,6 @@ final class CoreDriver {
     synchronized void release() {
         outputs.agenda.begin(Agenda.NOBODY);
         inputs.closed();
-        shadowFollows(new Input.Closed());
     }
 
     /** Models or components have changed. */
@@ -204,32 +198,18 @@ final class CoreDriver {
     synchronized void shadow(Swap swap, Probation.Watches watches) {
         requirePossible(swap);
         ShadowCore begun = new ShadowCore(core, swap, watches, clock);
-        shadow = begun;
+        inputs.shadow = begun;
         outputs.shadow = begun.hears();
     }
 
-    /** The shadow gets this input, too. The lock is held. */
-    void shadowFollows(Input input) {
-        if (shadow != null) {
-            shadow.follow(input);
-        }
-    }
-
-    /** The shadow hears of this occurrence, too. The lock is held. */
-    void shadowObserves(Occurrence occurrence) {
-        if (shadow != null) {
-            shadow.observed(occurrence);
-        }
-    }
-
     synchronized void endShadow() {
-        shadow = null;
+        inputs.shadow = null;
         outputs.shadow = null;
     }
 
     /** The shadow's report; null if there is none. */
     synchronized @Nullable ShadowReport shadowReport() {
-        return shadow == null ? null : shadow.report();
+        return inputs.shadow == null ? null : inputs.shadow.report();
     }
 
     /** The number of ended events in the history. */

@@ -1,7 +1,6 @@
 package org.evoloop.converter;
 
 import org.evoloop.core.Core;
-import org.evoloop.core.Input;
 import org.evoloop.core.Inputs;
 import org.evoloop.core.Pending;
 import org.evoloop.core.Tally;
@@ -47,9 +46,6 @@ final class CoreIntake implements Intake<Occurrence> {
                 inputs.timerDue(timer.visit(), timer.event(), timer.observedNanos());
             } else {
                 inputs.observed(occurrence);
-                if (outputs.admission == Admission.TAKEN) {
-                    driver.shadowObserves(occurrence);
-                }
             }
             return outputs.admission;
         }
@@ -97,7 +93,6 @@ final class CoreIntake implements Intake<Occurrence> {
         synchronized (driver) {
             outputs.agenda.begin(Agenda.NOBODY);
             inputs.opened(clock.nanoTime());
-            driver.shadowFollows(new Input.Opened(clock.nanoTime()));
         }
     }
 
@@ -105,7 +100,6 @@ final class CoreIntake implements Intake<Occurrence> {
     public void closed() {
         synchronized (driver) {
             inputs.closing();
-            driver.shadowFollows(new Input.Closing());
         }
     }
 

@@ -85,6 +85,9 @@ final class CoreOutputs implements Outputs {
         leaving = progress.get();
         leavingNumber = begun == null ? 0 : begun.number();
         agenda.add(Output.LEAVE);
+        if (shadow != null) {
+            shadow.leave();
+        }
     }
 
     @Override
@@ -174,6 +177,9 @@ final class CoreOutputs implements Outputs {
             books.failures().warnSoon("the state of the device is in doubt: " + why);
         }
         books.listeners().doubted(why);
+        if (shadow != null) {
+            shadow.doubted(why);
+        }
     }
 
     @Override

@@ -5,9 +5,9 @@ package org.evoloop.converter;
  * decisions on each event are compared. A shadow ends when models take over, when another shadow begins, and with the
  * process.
  *
- * <p>The shadow's step succeeds unless the running models' step for the same event failed. A guard holds if it holds
- * for the running models. Functions do not run: their events count while both new models are in the same state. Timers
- * are due by the other models' own deadlines. Violations that the {@linkplain Probation.Watches watches} of the
+ * <p>Equal models never differ. Where the other models plan otherwise, a step of theirs succeeds unless the running models'
+ * step for the same event failed. A guard holds if it holds for the running models. Functions do not run: their events count
+ * while both new models are in the same state. Timers that only the other models have fire when they are due. Violations that the {@linkplain Probation.Watches watches} of the
  * evolution find in the shadow's results are reported, too.
  *
  * <p>Threading: thread-safe.

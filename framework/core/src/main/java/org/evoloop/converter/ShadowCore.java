@@ -9,9 +9,12 @@ import org.evoloop.core.Core;
 import org.evoloop.core.Input;
 import org.evoloop.core.Output;
 import org.evoloop.core.Outputs;
+import org.evoloop.core.Rules;
 import org.evoloop.core.Swap;
+import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.DeviceEvents;
+import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
-import org.evoloop.rehearsal.Chronicle;
 import org.evoloop.rehearsal.Comparison;
 import org.evoloop.rehearsal.Difference;
 import org.evoloop.rehearsal.Ending;
@@ -32,9 +35,9 @@ final class ShadowCore {
     private final Clock clock;
     private final Instant since;
     private final Core core;
-    private final Chronicle running;
     private final Comparison comparison = new Comparison(this::compared, this::otherEnded);
     private final Probation.Watch watch;
+    private Rules rules;
     private final Deque<Difference> kept = new ArrayDeque<>();
     private final Deque<ShadowReport.Fault> faults = new ArrayDeque<>();
     private long events;
@@ -48,32 +51,46 @@ final class ShadowCore {
     ShadowCore(Core core, Swap swap, Probation.Watches watches, Clock clock) {
         this.model = swap.name();
         this.core = core;
+        this.rules = swap.rules();
         this.clock = clock;
         this.since = clock.wallTime();
-        this.running = new Chronicle(core.snapshot().visit().number(), this::ended);
         Core placed = new Core(core.rules(), core.snapshot(), output -> {});
         placed.evolved(swap, clock.nanoTime());
         this.watch = watches.begin(swap.rules().table(), placed.snapshot().at());
-        comparison.begin(swap.rules(), Comparison.still(placed.snapshot()));
+        comparison.begin(core, swap.rules(), placed.snapshot());
     }
 
     /** Receives the running core's outputs. */
     Outputs hears() {
-        return running;
+        return comparison.hears();
     }
 
-    /** Takes an event. One of the device's own has already moved the record. */
-    void observed(Occurrence occurrence) {
-        if (!isRefused(occurrence)) {
-            boolean current = occurrence.visit() == running.visit();
-            comparison.observed(occurrence, current ? core.at().evolved() : null, clock.nanoTime());
+    /** The running core has received this input. */
+    void took(Input input) {
+        if (input instanceof Input.Changed changed) {
+            rules = with(changed.rules().table().device());
+            comparison.use(rules, changed.atNanos());
+        }
+        if (input instanceof Input.Observed observed && isRefused(observed.occurrence())) {
+            comparison.missed();
+        } else {
+            comparison.took(input);
         }
     }
 
-    private void ended(Ending ending) {
-        if (!isRefused(ending.ended().occurrence())) {
-            comparison.ended(ending, clock.nanoTime());
-        }
+    /** The other models' rules with the events that the running converter's components send and report now. */
+    private Rules with(DeviceEvents now) {
+        ModelPair models = rules.table().models();
+        DeviceEvents own = rules.table().device();
+        DeviceEvents device = new DeviceEvents(
+                        now.sendable(),
+                        now.spontaneous(),
+                        own.costs(),
+                        own.doNotPass(),
+                        own.boundGuards(),
+                        own.onFailure())
+                .declaredBy(models.original());
+        return device.equals(own) ? rules : rules.with(DecisionTable.compile(models, device));
     }
 
     /** Whether the running models have no such event, or the device no such state: it has ended before it comes here. */
@@ -82,11 +99,6 @@ final class ShadowCore {
                 ? !core.rules().table().names().knows(heard.event())
                 : occurrence instanceof Occurrence.Found found
                         && !core.rules().table().models().original().hasState(found.state());
-    }
-
-    /** The converter was opened or closed. */
-    void follow(Input input) {
-        comparison.follow(input, clock.nanoTime());
     }
 
     private void compared(Occurrence occurrence, @Nullable Verdict then, @Nullable Verdict now) {

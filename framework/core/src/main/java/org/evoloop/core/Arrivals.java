@@ -159,6 +159,23 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
         }
     }
 
+    /**
+     * What {@link #ready} would begin when nothing is in progress and the converter is open; null if that is nothing. Its
+     * number is 0 if it has not been observed yet.
+     */
+    public final @Nullable Pending upcoming() {
+        if (ledger.progress.isInterrupted()) {
+            return ledger.progress.pending();
+        }
+        boolean owed = ledger.followOwed
+                && ledger.line.first(pending ->
+                                pending.hasHappened() && outOfDate(pending).isEmpty())
+                        == null;
+        return owed
+                ? finding(0)
+                : ledger.line.first(pending -> outOfDate(pending).isEmpty());
+    }
+
     /** Whether a function may raise this event without waiting. Controllers' events do not matter for that. */
     public final boolean hasRoom(Occurrence raised) {
         Pending next = new Pending(0, raised, null, null, ledger.place.steps(), 0);
@@ -174,24 +191,20 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
             return null;
         }
         ledger.followOwed = false;
+        return finding(ledger.counts.observe());
+    }
+
+    private Pending finding(long number) {
         State there = ledger.place.at().original();
-        return new Pending(
-                ledger.counts.observe(),
-                new Occurrence.Found(there, ledger.nowNanos),
-                there,
-                null,
-                ledger.place.steps(),
-                0);
+        return new Pending(number, new Occurrence.Found(there, ledger.nowNanos), there, null, ledger.place.steps(), 0);
     }
 
     private void giveTurn(Pending pending) {
         Occurrence occurrence = pending.occurrence();
-        if (occurrence.visit() != Occurrence.ANY_VISIT && !ledger.stay.isCurrent(occurrence.visit())) {
-            ledger.ended(occurrence, ledger.place.at(), Outcome.STALE, null, "the state that raised it has been left");
-            return;
-        }
-        if (occurrence instanceof Occurrence.InDoubt && ledger.place.doubt() == null) {
-            ledger.ended(occurrence, ledger.place.at(), Outcome.HANDLED, null, FOUND_MEANWHILE);
+        String outOfDate = outOfDate(pending);
+        if (!outOfDate.isEmpty()) {
+            Outcome outcome = occurrence instanceof Occurrence.InDoubt ? Outcome.HANDLED : Outcome.STALE;
+            ledger.ended(occurrence, ledger.place.at(), outcome, null, outOfDate);
             return;
         }
         if (occurrence instanceof Occurrence.Heard heard && heard.source() == Source.TIMER) {
@@ -199,5 +212,14 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
         }
         ledger.progress.begin(pending);
         ledger.out.begin(pending);
+    }
+
+    /** Why it ends as soon as it has its turn; empty if it does not. */
+    private String outOfDate(Pending pending) {
+        Occurrence occurrence = pending.occurrence();
+        if (occurrence.visit() != Occurrence.ANY_VISIT && !ledger.stay.isCurrent(occurrence.visit())) {
+            return "the state that raised it has been left";
+        }
+        return occurrence instanceof Occurrence.InDoubt && ledger.place.doubt() == null ? FOUND_MEANWHILE : "";
     }
 }

@@ -125,19 +125,22 @@ final class Line {
         return first;
     }
 
-    /** The first occurrence that may have its turn; null if none may. */
+    /** Takes the first occurrence that may have its turn; null if none may. */
     @Nullable
     Pending next() {
-        Pending first = waiting.peek();
-        if (first != null && !deferred.test(first)) {
-            waiting.remove();
+        Pending first = first(pending -> true);
+        if (first != null) {
+            waiting.remove(first);
             countOut(first);
-            return first;
         }
+        return first;
+    }
+
+    /** The first of these that may have its turn; null if none may. */
+    @Nullable
+    Pending first(Predicate<Pending> of) {
         for (Pending pending : waiting) {
-            if (!deferred.test(pending)) {
-                waiting.remove(pending);
-                countOut(pending);
+            if (!deferred.test(pending) && of.test(pending)) {
                 return pending;
             }
         }

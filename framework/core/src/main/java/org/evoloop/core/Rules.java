@@ -20,6 +20,8 @@ import org.evoloop.statemachine.State;
  * @since 0.1
  */
 public record Rules(DecisionTable table, Timers timers, int queueCapacity) {
+    /** A capacity with which not even facts, and events of timers and functions, have room. */
+    public static final int NO_ROOM = -Line.MOST_FACTS;
 
     /**
      * The decision for an occurrence that has its turn: a pure function.

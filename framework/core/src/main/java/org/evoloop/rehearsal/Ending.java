@@ -50,6 +50,13 @@ public record Ending(
         return isBroken && took <= taken ? verdict.why() : "";
     }
 
+    /** The same as if the device had been found where it is now; null if it is where it was. */
+    @Nullable
+    Ending ifMoved() {
+        boolean moved = !ended.before().original().equals(ended.after().original());
+        return moved ? new Ending(Chronicle.asFound(ended), verdict, took, guards, broken, undecided) : null;
+    }
+
     /** Why an effect of other models fails, since one failed here after the device had obeyed; empty if it succeeds. */
     String effectFailure() {
         boolean obeyed = ended.decision() != null && !(ended.decision() instanceof Decision.Impossible);

@@ -88,6 +88,43 @@ class ShadowTest {
         assertThat(shadow.report().at()).hasToString("(Stopped, Stopped)");
     }
 
+    /** However long after that the next event comes. */
+    @Test
+    void timersOfTheShadowFireWhenTheyAreDue() {
+        Shadow shadow = begin(Player.knowledge(
+                List.of("Fading", "Muting"),
+                NewFunction.none(),
+                "Playing fade -> Fading",
+                "Fading tm(1s) -> Muting",
+                "Muting tm(1s) -> Stopped"));
+        press("play", "fade");
+        player.clock.advance(Duration.ofMillis(1_500));
+        press("pause");
+        player.clock.advance(Duration.ofMillis(700));
+        press("play");
+        assertThat(events(shadow)).containsExactly("tm(1s)", "pause", "tm(1s)", "play");
+        assertThat(shadow.report().at()).hasToString("(Playing, Playing)");
+    }
+
+    @Test
+    void anotherComponentAndAStopAreSoForBoth() {
+        Shadow shadow = begin(dozing());
+        player.converter.exchange(player.device.name(), new EventExecute("Other") {
+            @Override
+            protected Set<String> sendableEvents() {
+                return Set.of("play", "pause", "stop");
+            }
+
+            @Override
+            protected void send(Step step) {}
+        });
+        press("play", "pause");
+        player.converter.stop();
+        player.converter.start();
+        press("play");
+        assertThat(shadow.report()).hasToString("'next': 3 events, 0 of them decided differently");
+    }
+
     @Test
     void timersOfBothAreOneEvent() {
         player.converter.evolve(Evolution.to(dozing()));

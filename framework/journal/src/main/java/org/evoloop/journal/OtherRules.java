@@ -4,9 +4,12 @@ import java.time.Duration;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.evoloop.core.Rules;
+import org.evoloop.core.Snapshot;
+import org.evoloop.core.Tally;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.DeviceEvents;
@@ -61,14 +64,26 @@ final class OtherRules {
         return timers;
     }
 
-    /** The states in which the other models begin if the recorded ones were in {@code then}. */
-    Configuration placed(Configuration then) {
-        State device = models.original().hasState(then.original())
-                ? then.original()
+    /** Where the other models begin if they have no state for where the converter is: nothing waits, and no timer runs. */
+    Snapshot placed(Snapshot then) {
+        State device = models.original().hasState(then.at().original())
+                ? then.at().original()
                 : models.original().initial();
-        if (models.evolved().hasState(then.evolved())) {
-            return new Configuration(device, then.evolved());
-        }
-        return new Configuration(device, models.evolvedStates(device).get(0));
+        State system = models.evolved().hasState(then.at().evolved())
+                ? then.at().evolved()
+                : models.evolvedStates(device).get(0);
+        return new Snapshot(
+                then.open(),
+                new Configuration(device, system),
+                null,
+                0,
+                then.nowNanos(),
+                new Snapshot.OpenVisit(0, true, null, Map.of()),
+                List.of(),
+                false,
+                false,
+                null,
+                new Tally(0, 0, 0, 0, 0, 0, 0, 0, 0),
+                then.nowNanos());
     }
 }

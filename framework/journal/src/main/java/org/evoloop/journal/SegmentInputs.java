@@ -37,6 +37,11 @@ final class SegmentInputs {
         return from;
     }
 
+    /** The rules by which the segment was written. */
+    Rules rules() {
+        return rules;
+    }
+
     /** Creates the core, which gives its outputs to these. */
     Core begin(Outputs outputs) {
         Core begun = new Core(rules, from, outputs);

@@ -223,6 +223,31 @@ class DryRunTest {
                 .isEqualTo(Duration.ofSeconds(2));
     }
 
+    /** However long after that the next event comes. */
+    @Test
+    void timersThatOnlyTheOtherModelsHaveFireWhenTheyAreDue() throws InterruptedException {
+        live(NewFunction.none(), "play", "1500", "pause", "700", "stop");
+        ModelPair slow = new ModelPair(
+                DEVICE,
+                StateMachine.named("slow")
+                        .initial("Stopped")
+                        .transition("Stopped", "play", "Waking")
+                        .transition("Waking", "tm(1s)", "Warm")
+                        .transition("Warm", "tm(1s)", "Playing")
+                        .transition("Playing", "stop", "Stopped")
+                        .transition("Playing", "pause", "Paused")
+                        .transition("Paused", "play", "Playing")
+                        .build());
+        List<Difference> differences = run(slow).differences();
+        assertThat(differences)
+                .extracting(each -> each.occurrence().label())
+                .containsExactly("play", "tm(1s)", "pause", "tm(1s)", "stop");
+        assertThat(Duration.between(differences.get(0).at(), differences.get(1).at()))
+                .isEqualTo(Duration.ofSeconds(1));
+        assertThat(Duration.between(differences.get(0).at(), differences.get(3).at()))
+                .isEqualTo(Duration.ofSeconds(2));
+    }
+
     @Test
     void whatAFunctionRaisedHappensOnlyWhereItRuns() throws InterruptedException {
         live(visit -> visit.finishAfter(Duration.ofMillis(700), "faded"), "play", "fade", "900");

@@ -12,15 +12,16 @@ import org.evoloop.check.temporal.Moment;
 import org.evoloop.check.temporal.Outlook;
 import org.evoloop.check.temporal.Property;
 import org.evoloop.check.temporal.PropertyWatch;
-import org.evoloop.core.Input;
+import org.evoloop.core.Core;
 import org.evoloop.core.Output;
+import org.evoloop.core.Pending;
 import org.evoloop.core.Rules;
+import org.evoloop.core.Snapshot;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Values;
-import org.evoloop.rehearsal.Comparison;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -72,31 +73,58 @@ class WatchedCoreTest {
     }
 
     private static void run(Random random, PropertyWatch watch, Configuration initial) {
-        Comparison core = new Comparison((occurrence, then, now) -> {}, ending -> {
-            Output.Ended ended = ending.ended();
-            watch.ended(ended.occurrence(), ended.after(), ended.outcome(), ended.decision());
-        });
-        core.begin(RULES, Comparison.still(initial, 0));
-        core.follow(new Input.Opened(0), 0);
+        List<Output> said = new ArrayList<>();
+        Core core = new Core(RULES, said::add);
+        core.opened(0);
+        assertThat(core.at()).isEqualTo(initial);
         long now = 0;
         for (int number = 0; number < EVENTS; number++) {
             now += random.nextInt(4000) * MILLISECOND + 1;
+            fire(core, now);
             String event = List.of("Clean", "Spot", "arriveSpot", "endSpot").get(random.nextInt(4));
             boolean own = event.equals("endSpot");
             boolean here = core.at().original().name().equals("Spot");
             if (!own || here) {
-                core.observed(
-                        new Occurrence.Heard(
-                                new Event(event),
-                                Values.NONE,
-                                own ? Source.DEVICE : Source.CONTROLLER,
-                                own,
-                                Set.of(),
-                                Occurrence.ANY_VISIT,
-                                now),
-                        null,
-                        now);
-                core.rest(now);
+                core.observed(new Occurrence.Heard(
+                        new Event(event),
+                        Values.NONE,
+                        own ? Source.DEVICE : Source.CONTROLLER,
+                        own,
+                        Set.of(),
+                        Occurrence.ANY_VISIT,
+                        now));
+            }
+            carryOut(core, now);
+            for (Output output : said) {
+                if (output instanceof Output.Ended ended) {
+                    watch.ended(ended.occurrence(), ended.after(), ended.outcome(), ended.decision());
+                }
+            }
+            said.clear();
+        }
+    }
+
+    private static void fire(Core core, long now) {
+        Snapshot.OpenVisit visit = core.snapshot().visit();
+        visit.deadlines().forEach((timer, due) -> {
+            if (due <= now) {
+                core.timerDue(visit.number(), timer, due);
+                carryOut(core, due);
+            }
+        });
+    }
+
+    /** Every step and effect succeeds at once. */
+    private static void carryOut(Core core, long now) {
+        for (core.ready(); core.isBusy(); core.ready()) {
+            Pending pending = core.snapshot().work().pending();
+            long number = pending.number();
+            core.planned(number, RULES.decide(core.at(), core.steps(), pending, guard -> false), now);
+            while (core.isBusy()) {
+                core.sending(number);
+                core.sent(number, true, now);
+                core.running(number);
+                core.effectRun(number, "", now);
             }
         }
     }

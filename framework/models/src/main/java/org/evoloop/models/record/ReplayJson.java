@@ -13,7 +13,7 @@ import org.evoloop.rehearsal.Verdict;
 import org.jspecify.annotations.Nullable;
 
 /** A replay of a journal's events on other models as JSON: components are the keys, in this order. */
-public record ReplayJson(long events, List<Row> differences, List<Standing> properties) {
+public record ReplayJson(long events, List<Row> differences, List<Standing> properties, List<Note> notes) {
 
     /** An event that was handled differently. {@code then} or {@code now} is null where the event did not occur. */
     public record Row(
@@ -22,6 +22,9 @@ public record ReplayJson(long events, List<Row> differences, List<Standing> prop
             String source,
             @Nullable Handling then,
             @Nullable Handling now) {}
+
+    /** Why differences from here on may come from something else than the other models. */
+    public record Note(String time, String why) {}
 
     /** How the event was handled. */
     public record Handling(
@@ -60,6 +63,9 @@ public record ReplayJson(long events, List<Row> differences, List<Standing> prop
                 result.differences().stream().map(ReplayJson::row).toList(),
                 file.properties().stream()
                         .map(property -> standing(property, file.file(), result))
+                        .toList(),
+                result.notes().stream()
+                        .map(note -> new Note(note.at().toString(), note.why()))
                         .toList()));
     }
 

@@ -9,6 +9,7 @@ import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.check.temporal.Property;
 import org.evoloop.journal.DryRun;
 import org.evoloop.journal.DryRun.Broken;
+import org.evoloop.journal.DryRun.Note;
 import org.evoloop.rehearsal.Difference;
 import org.evoloop.statemachine.Names;
 
@@ -17,13 +18,16 @@ public final class ReplayText {
     private ReplayText() {}
 
     /**
-     * Three lines for each event that was handled differently, one line for each property that is broken or open, and
-     * the totals.
+     * A line for each reason that may cause differences besides the other models, three lines for each event that was
+     * handled differently, one line for each property that is broken or open, and the totals.
      *
      * @param file the properties that were watched
      */
     public static String write(DryRun.Result result, PropertyFile file, ZoneId zone) {
         List<String> lines = new ArrayList<>();
+        for (Note each : result.notes()) {
+            lines.add("note: at " + time(each.at(), zone) + " " + each.why());
+        }
         for (Difference each : result.differences()) {
             lines.add(time(each.at(), zone) + "  " + each.occurrence());
             lines.add("  then  " + each.then());

@@ -72,7 +72,11 @@ class RecordTextTest {
         assertThat(line(new Input.Observed(odd))).startsWith("found Off?1970?x?[2J  at");
         assertThat(ReplayText.write(
                         new DryRun.Result(
-                                1, List.of(new Difference(Instant.EPOCH, odd, null, null)), List.of(), List.of()),
+                                1,
+                                List.of(new Difference(Instant.EPOCH, odd, null, null)),
+                                List.of(),
+                                List.of(),
+                                List.of()),
                         PropertyFile.parse("F", "", new ModelPair(lamp(), lamp())),
                         ZoneOffset.UTC))
                 .startsWith("1970-01-01 00:00:00.000000  found Off?1970?x?[2J\n  then  ");
