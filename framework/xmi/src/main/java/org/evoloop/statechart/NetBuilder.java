@@ -68,7 +68,7 @@ final class NetBuilder {
         Set<String> raised = new HashSet<>();
         if (scxml) {
             nodes.stream()
-                    .filter(node -> !node.zones.isEmpty())
+                    .filter(Node::isState)
                     .map(Node::doneEvent)
                     .filter(named::containsKey)
                     .forEach(raised::add);

@@ -194,6 +194,12 @@ final class ScxmlArcs {
         String condition = transition.attribute("cond").strip();
         String event = transition.attribute("event");
         if (!event.isBlank()) {
+            events.neverDone(event)
+                    .forEach(inner -> problems.note(
+                            transition.line(),
+                            label.get() + " waits for " + inner.label()
+                                    + " to be done, which never happens; give it a final state, or each of its children"
+                                    + " if it is parallel"));
             List<String> triggers = free(events.matched(event), condition, state);
             if (triggers.isEmpty()) {
                 never(transition, label);

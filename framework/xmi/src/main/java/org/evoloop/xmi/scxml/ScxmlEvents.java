@@ -6,12 +6,14 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.NavigableSet;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Finds the events that a transition's descriptors match. {@code a} matches {@code a}, {@code a.b} and so on; {@code *}
@@ -41,7 +43,7 @@ final class ScxmlEvents {
         descriptors
                 .values()
                 .forEach(names -> names.stream()
-                        .filter(name -> !isDone(name))
+                        .filter(name -> doneState(name) == null)
                         .forEach(name -> named.add(name.isEmpty() ? ANY : name)));
     }
 
@@ -73,10 +75,18 @@ final class ScxmlEvents {
         return found;
     }
 
-    /** Whether this is the event of a state that can become done. */
-    private boolean isDone(String name) {
-        ScxmlVertex state = name.startsWith(DONE) ? tree.find(name.substring(DONE.length())) : null;
-        return state != null && state.canBeDone();
+    /** The state that the event would tell is done; null for all other events. */
+    private @Nullable ScxmlVertex doneState(String event) {
+        return event.startsWith(DONE) ? tree.find(event.substring(DONE.length())) : null;
+    }
+
+    /** The states for whose end these descriptors wait in vain. */
+    List<ScxmlVertex> neverDone(String attribute) {
+        return descriptors.getOrDefault(attribute, List.of()).stream()
+                .map(this::doneState)
+                .filter(state -> state != null && !state.canBeDone())
+                .map(Objects::requireNonNull)
+                .toList();
     }
 
     /**

@@ -131,11 +131,13 @@ final class ScxmlVertex {
         return isParallel() || !inner.isEmpty();
     }
 
-    /** Whether SCXML raises an event when it completes. */
+    /** Whether SCXML ever tells that it is done. */
     boolean canBeDone() {
+        List<ScxmlVertex> states =
+                inner.stream().filter(vertex -> !vertex.isHistory()).toList();
         return isParallel()
-                ? inner.stream().anyMatch(vertex -> !vertex.isHistory())
-                : inner.stream().anyMatch(ScxmlVertex::isFinal);
+                ? !states.isEmpty() && states.stream().allMatch(ScxmlVertex::canBeDone)
+                : states.stream().anyMatch(ScxmlVertex::isFinal);
     }
 
     /** Whether it is inside the container at any depth; everything is inside the root, which is null. */

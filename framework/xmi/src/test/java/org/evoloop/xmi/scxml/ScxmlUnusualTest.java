@@ -59,6 +59,20 @@ class ScxmlUnusualTest {
     }
 
     @Test
+    void whoWaitsForWhatIsNeverDoneIsTold() {
+        String content = "<parallel id='p'><state id='a'><final id='f'/></state><state id='b'/>"
+                + "<transition event='done.state.p' target='c'/><transition event='done.state.a' target='c'/></parallel>"
+                + "<state id='c'><transition event='done.state.c' target='p'/></state>";
+
+        assertThat(notes(content))
+                .hasSize(2)
+                .anyMatch(note -> note.contains("waits for parallel 'p' to be done, which never happens"))
+                .anyMatch(note -> note.contains("waits for state 'c' to be done, which never happens"));
+        assertThat(flat(content).initial()).isEqualTo(new State("c"));
+        assertThat(flat(content).events()).isEmpty();
+    }
+
+    @Test
     void aGuardOfTheInitialTransitionIsNotAsked() {
         String content = "<state id='s'><initial><transition cond='x' target='a'/></initial>"
                 + "<state id='a'><transition event='e' target='s'/></state></state>";
