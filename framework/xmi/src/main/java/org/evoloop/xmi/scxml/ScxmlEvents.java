@@ -23,10 +23,9 @@ import org.jspecify.annotations.Nullable;
 final class ScxmlEvents {
     private static final String DONE = "done.state.";
     private static final String ANY = "*";
-    /** A time trigger such as {@code after 2 s} or {@code tm( 2 s )}, or else a word. */
+    /** A time trigger such as {@code after 2 s} or {@code tm( 2 s )}, with any unit, or else a word. */
     private static final Pattern DESCRIPTOR = Pattern.compile("(?i:after|tm)\\s*\\([^)]*\\)(?=\\s|$)"
-            + "|(?i:after)\\s+(?:(?i:PT?[0-9]\\S*)|[0-9.]+(?:\\s*(?i:ms|msec|milliseconds?|s|sec|seconds?|min"
-            + "|minutes?|h|hours?|d|days?))?)(?=\\s|$)"
+            + "|(?i:after)\\s+(?:(?i:PT?[0-9]\\S*)|[0-9.,]+(?:\\s*(?!(?i:after|tm)\\b)\\p{L}+)?)(?=\\s|$)"
             + "|\\S+");
 
     private final ScxmlTree tree;
@@ -72,7 +71,7 @@ final class ScxmlEvents {
     }
 
     /** The descriptors, separated by white space; a time trigger may contain white space. */
-    private static List<String> descriptors(String attribute) {
+    static List<String> descriptors(String attribute) {
         Matcher descriptor = DESCRIPTOR.matcher(attribute.strip());
         List<String> found = new ArrayList<>(1);
         while (descriptor.find()) {
@@ -142,5 +141,37 @@ final class ScxmlEvents {
                     label.get() + " matches the events of all states that can be done, which is not supported; "
                             + "name the events");
         }
+    }
+
+    /** The transitions that take this event, at any depth. */
+    static List<XmlNode> takers(List<XmlNode> children, String event) {
+        List<XmlNode> takers = new ArrayList<>();
+        for (XmlNode child : children) {
+            if (child.name().equals("transition")) {
+                if (takes(child, event)) {
+                    takers.add(child);
+                }
+            } else {
+                takers.addAll(takers(child.children(), event));
+            }
+        }
+        return takers;
+    }
+
+    /** Whether a transition takes this event, if its condition holds. */
+    static boolean takes(XmlNode transition, String event) {
+        return names(transition, event)
+                || descriptors(transition.attribute("event")).contains(ANY);
+    }
+
+    /** Whether a transition takes this event, and not just any. */
+    static boolean names(XmlNode transition, String event) {
+        return descriptors(transition.attribute("event")).stream().anyMatch(descriptor -> matches(descriptor, event));
+    }
+
+    /** Whether the descriptor is the event, or the words with which it begins. */
+    static boolean matches(String descriptor, String event) {
+        String name = descriptor.endsWith(".*") ? descriptor.substring(0, descriptor.length() - 2) : descriptor;
+        return event.equals(name) || event.startsWith(name + ".");
     }
 }
