@@ -1,9 +1,11 @@
 package org.evoloop.check;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Objects;
+import java.util.Queue;
 import java.util.Set;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
@@ -57,11 +59,28 @@ final class PairRules {
         this.guards = new GuardedTriggers(input.pair().original());
         this.evolvedReachable = evolvedRules.reachable();
         this.graph = graph;
-        Set<State> met = new HashSet<>();
-        graph.configurations().forEach(at -> met.add(at.evolved()));
-        this.missed = new UnreachableStates(input.pair().evolved(), met);
+        this.missed = new UnreachableStates(input.pair().evolved(), met());
         this.noPath = new NoPathCauses(input.pair().original(), input.device());
         this.hazards = new NoPathCauses(input.pair().original(), input.device());
+    }
+
+    /** The states of the new model that events lead to that can come. */
+    private Set<State> met() {
+        Set<Configuration> seen = new HashSet<>();
+        Set<State> met = new HashSet<>();
+        Queue<Configuration> frontier = new ArrayDeque<>(List.of(input.pair().initial()));
+        for (Configuration at = frontier.poll(); at != null; at = frontier.poll()) {
+            if (seen.add(at)) {
+                met.add(at.evolved());
+                for (Turn turn : graph.turnsFrom(at)) {
+                    boolean fails = turn.decision() instanceof Decision.Impossible;
+                    if (!fails && canCome(at, turn.event().trigger())) {
+                        frontier.add(turn.decision().after());
+                    }
+                }
+            }
+        }
+        return met;
     }
 
     List<Finding> findings() {

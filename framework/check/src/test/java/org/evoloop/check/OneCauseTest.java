@@ -134,12 +134,13 @@ class OneCauseTest {
     @Test
     void aDeadTransitionIsReportedWithAllThatIsLostWithIt() {
         StateMachine device = machine("original", "Off go -> On", "On go -> Off", "On end -> Off");
-        StateMachine system =
-                machine("new", "Off go -> On", "On go -> Off", "On end -> Off", "Off end -> A", "A go -> B", "B go -> Off");
+        StateMachine system = machine(
+                "new", "Off go -> On", "On go -> Off", "On end -> Off", "Off end -> A", "A go -> B", "B go -> Off");
         CheckInput input = CheckInput.of(new ModelPair(device, system)).withOwnEvents(Set.of("end"));
 
         assertThat(Check.run(input))
-                .filteredOn(finding -> finding.rule() == Rule.DEAD_TRANSITION || finding.rule() == Rule.UNREACHABLE_STATE)
+                .filteredOn(
+                        finding -> finding.rule() == Rule.DEAD_TRANSITION || finding.rule() == Rule.UNREACHABLE_STATE)
                 .singleElement()
                 .extracting(Finding::message)
                 .asString()
