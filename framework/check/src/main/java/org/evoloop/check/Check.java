@@ -26,8 +26,8 @@ public final class Check {
     public static List<Finding> run(CheckInput input) {
         ModelPair pair = input.pair();
         List<Finding> findings = new ArrayList<>();
-        MachineRules original = new MachineRules(Element.ModelRole.ORIGINAL, pair.original());
-        MachineRules evolved = new MachineRules(Element.ModelRole.NEW, pair.evolved());
+        MachineRules original = new MachineRules(Element.ModelRole.ORIGINAL, pair.original(), Set.of());
+        MachineRules evolved = new MachineRules(Element.ModelRole.NEW, pair.evolved(), original.unreachable());
         findings.addAll(original.findings());
         // Findings that the new model shares with the device's are reported once, for the latter.
         Set<Breach> known = new HashSet<>();

@@ -22,9 +22,10 @@ import org.evoloop.statemachine.Transition;
 final class MachineRules {
     /** Names that look like a time trigger to people, but are ordinary events. */
     private static final Pattern LIKE_A_TIMER =
-            Pattern.compile("(?i)(?:tm|after|at|when)[\\s(\\[{_]*[0-9]+(?:\\.[0-9]+)?\\s*(?:ms|s|sec|min|h)?[)\\]}]*");
+            Pattern.compile("(?i)(?:tm|after|at|when)[\\s(\\[{_]*[0-9]+(?:[.,][0-9]+)?\\s*(?:ms|s|sec|min|h)?[)\\]}]*");
 
     private final Element.ModelRole side;
+    private final Set<State> reported;
     private final StateMachine machine;
     private final GuardedTriggers guards;
     private final Set<State> reachable = new LinkedHashSet<>();
@@ -35,8 +36,10 @@ final class MachineRules {
     private final Set<Event> likeTimers = new HashSet<>();
     private final List<Finding> findings = new ArrayList<>();
 
-    MachineRules(Element.ModelRole side, StateMachine machine) {
+    /** @param reported unreachable states that are reported for another machine */
+    MachineRules(Element.ModelRole side, StateMachine machine, Set<State> reported) {
         this.side = side;
+        this.reported = reported;
         this.machine = machine;
         this.guards = new GuardedTriggers(machine);
         machine.transitions().forEach(transition -> kept.addAll(transition.keeps()));
@@ -55,6 +58,13 @@ final class MachineRules {
         return reachable;
     }
 
+    /** The states that no sequence of events leads to. */
+    Set<State> unreachable() {
+        Set<State> unreachable = new HashSet<>(machine.states());
+        unreachable.removeAll(reachable);
+        return unreachable;
+    }
+
     List<Finding> findings() {
         for (State state : reachableAsDrawn()) {
             List<Transition> outgoing = machine.transitionsFrom(state);
@@ -63,7 +73,7 @@ final class MachineRules {
             overlaps(outgoing);
         }
         traps();
-        unreachable();
+        reportUnreachable();
         return findings;
     }
 
@@ -71,8 +81,10 @@ final class MachineRules {
         return machine.states().stream().filter(reachable::contains).toList();
     }
 
-    private void unreachable() {
-        new UnreachableStates(machine, reachable).roots().forEach((state, lost) -> {
+    private void reportUnreachable() {
+        Set<State> known = new HashSet<>(reachable);
+        known.addAll(reported);
+        new UnreachableStates(machine, known).roots().forEach((state, lost) -> {
             String others = lost.isEmpty()
                     ? ""
                     : ", nor to " + lost.stream().map(State::name).collect(Collectors.joining(", "))

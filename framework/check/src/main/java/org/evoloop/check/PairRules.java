@@ -1,9 +1,11 @@
 package org.evoloop.check;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Objects;
+import java.util.Queue;
 import java.util.Set;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
@@ -32,6 +34,12 @@ final class PairRules {
     /** Transitions of the new model whose event can come in some pair. */
     private final Set<Transition> live = new HashSet<>();
 
+    /** Transitions of the new model to a state of the device that no path leads to. */
+    private final Set<Transition> lacking = new HashSet<>();
+
+    /** The states of the new model that it never reaches together with the device. */
+    private final UnreachableStates missed;
+
     private final NoPathCauses noPath;
     private final NoPathCauses hazards;
 
@@ -51,8 +59,28 @@ final class PairRules {
         this.guards = new GuardedTriggers(input.pair().original());
         this.evolvedReachable = evolvedRules.reachable();
         this.graph = graph;
+        this.missed = new UnreachableStates(input.pair().evolved(), met());
         this.noPath = new NoPathCauses(input.pair().original(), input.device());
         this.hazards = new NoPathCauses(input.pair().original(), input.device());
+    }
+
+    /** The states of the new model that events lead to that can come. */
+    private Set<State> met() {
+        Set<Configuration> seen = new HashSet<>();
+        Set<State> met = new HashSet<>();
+        Queue<Configuration> frontier = new ArrayDeque<>(List.of(input.pair().initial()));
+        for (Configuration at = frontier.poll(); at != null; at = frontier.poll()) {
+            if (seen.add(at)) {
+                met.add(at.evolved());
+                for (Turn turn : graph.turnsFrom(at)) {
+                    boolean fails = turn.decision() instanceof Decision.Impossible;
+                    if (!fails && canCome(at, turn.event().trigger())) {
+                        frontier.add(turn.decision().after());
+                    }
+                }
+            }
+        }
+        return met;
     }
 
     List<Finding> findings() {
@@ -98,12 +126,13 @@ final class PairRules {
         for (Transition transition : input.pair().evolved().transitions()) {
             if (isDevicesOwn(transition.event().trigger())
                     && visited.contains(transition.source())
-                    && !live.contains(transition)) {
+                    && !live.contains(transition)
+                    && !lacking.contains(transition)) {
                 findings.add(new Finding(
                         Rule.DEAD_TRANSITION,
                         new Element.OfTransition(Element.ModelRole.NEW, transition),
                         transition + " of the new model is never taken, since the device is never where it raises "
-                                + transition.event().trigger() + " by itself",
+                                + transition.event().trigger() + " by itself" + missed(List.of(transition)),
                         "give it an event that comes there, or remove it"));
             }
         }
@@ -118,9 +147,17 @@ final class PairRules {
         if (problem) {
             noPath.add(turn, targets);
             unreached.addAll(targets);
-        } else {
+            lacking.add(transition((Decision.Impossible) turn.decision()));
+        } else if (canCome(turn.decision().before(), turn.event().trigger())) {
             hazards.add(turn, targets);
         }
+    }
+
+    /** Names the states of the new model that are lost, since none of these transitions can be taken. */
+    private String missed(List<Transition> transitions) {
+        List<String> names =
+                missed.behind(transitions).stream().map(State::name).toList();
+        return names.isEmpty() ? "" : "; so the new model never reaches " + String.join(", ", names);
     }
 
     private void noPath(NoPathCauses.Group group) {
@@ -150,7 +187,10 @@ final class PairRules {
                 new Element.OfTransition(Element.ModelRole.NEW, transition(decision)),
                 "in " + decision.before()
                         + (first.deviceActed() ? ", when the device has acted on it by itself, " : " ")
-                        + decision.reason() + others,
+                        + decision.reason() + others
+                        + missed(turns.stream()
+                                .map(turn -> transition((Decision.Impossible) turn.decision()))
+                                .toList()),
                 remedy,
                 graph.wayOver(first)));
     }

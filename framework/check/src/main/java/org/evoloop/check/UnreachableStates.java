@@ -42,6 +42,19 @@ final class UnreachableStates {
         return roots;
     }
 
+    /** The unreachable states to which these transitions lead, at once or through others. */
+    Set<State> behind(List<Transition> transitions) {
+        Set<State> seen = new HashSet<>(reachable);
+        Set<State> behind = new LinkedHashSet<>();
+        for (Transition transition : transitions) {
+            if (seen.add(transition.target())) {
+                behind.add(transition.target());
+                behind.addAll(below(transition.target(), seen));
+            }
+        }
+        return behind;
+    }
+
     private Set<State> below(State root, Set<State> seen) {
         Set<State> below = new LinkedHashSet<>();
         Queue<State> frontier = new ArrayDeque<>(List.of(root));

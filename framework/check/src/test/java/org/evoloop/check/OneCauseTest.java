@@ -6,7 +6,9 @@ import static org.evoloop.Machines.machine;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.StateMachine;
 import org.junit.jupiter.api.Test;
 
@@ -95,6 +97,54 @@ class OneCauseTest {
                     assertThat(finding.remedy()).startsWith("let the converter send wake, or ");
                     assertThat(finding.message()).contains("the same holds for b in (Off, Menu), c in (Off, Menu)");
                 });
+    }
+
+    /** S2 could not be reached before, S1 could. */
+    @Test
+    void aStateBehindOneThatWasUnreachableBeforeIsReported() {
+        StateMachine device = machine("original", "S0 a -> S1", "S1 b -> S0", "S2 c -> S1", "S3 c -> S2");
+        StateMachine system = machine("new", "S0 a -> N", "N b -> S0", "S1 b -> S0", "S2 c -> S1", "S3 c -> S2");
+
+        assertThat(check(device, system))
+                .filteredOn(finding -> finding.rule() == Rule.UNREACHABLE_STATE)
+                .extracting(Finding::message)
+                .containsExactly(
+                        "no sequence of events leads to state S3 of the original model, nor to S2 that it leads to",
+                        "no sequence of events leads to state S1 of the new model");
+    }
+
+    /** In N, a could come only where the device cannot be, and what it should lead to cannot be reached. */
+    @Test
+    void aTransitionThatLacksAPathIsNotCalledDeadToo() {
+        StateMachine device = machine("original", "S0 y -> S1", "S1 z -> S0", "S1 a -> S1");
+        StateMachine system =
+                machine("new", "S0 y -> S1", "S0 z -> N", "S1 z -> S0", "S1 a -> S1", "S1 x -> M", "N a -> S1");
+        CheckInput input = CheckInput.of(new ModelPair(device, system))
+                .withDevice(new DeviceEvents(Set.of(new Event("z")), Set.of(new Event("a"))));
+
+        assertThat(Check.run(input))
+                .filteredOn(finding -> finding.element().part().toString().equals("N --a--> S1"))
+                .singleElement()
+                .satisfies(finding -> {
+                    assertThat(finding.rule()).isEqualTo(Rule.NO_PATH);
+                    assertThat(finding.message()).endsWith("; so the new model never reaches S1, M");
+                });
+    }
+
+    @Test
+    void aDeadTransitionIsReportedWithAllThatIsLostWithIt() {
+        StateMachine device = machine("original", "Off go -> On", "On go -> Off", "On end -> Off");
+        StateMachine system = machine(
+                "new", "Off go -> On", "On go -> Off", "On end -> Off", "Off end -> A", "A go -> B", "B go -> Off");
+        CheckInput input = CheckInput.of(new ModelPair(device, system)).withOwnEvents(Set.of("end"));
+
+        assertThat(Check.run(input))
+                .filteredOn(
+                        finding -> finding.rule() == Rule.DEAD_TRANSITION || finding.rule() == Rule.UNREACHABLE_STATE)
+                .singleElement()
+                .extracting(Finding::message)
+                .asString()
+                .contains("Off --end--> A of the new model is never taken", "; so the new model never reaches A, B");
     }
 
     @Test

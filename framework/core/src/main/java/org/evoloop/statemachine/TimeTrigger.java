@@ -29,6 +29,8 @@ final class TimeTrigger {
 
     private static final Pattern DURATION = Pattern.compile("([0-9]+(?:\\.[0-9]+)?)\\s*([a-z]+)");
 
+    private static final Pattern DECIMAL_COMMA = Pattern.compile("^[0-9.]*,");
+
     private static final Map<String, ChronoUnit> UNITS = Map.ofEntries(
             Map.entry("ms", ChronoUnit.MILLIS),
             Map.entry("msec", ChronoUnit.MILLIS),
@@ -95,6 +97,10 @@ final class TimeTrigger {
         ChronoUnit unit = duration.matches() ? UNITS.get(duration.group(2)) : null;
         if (unit != null) {
             return Optional.of(exact(eventName, nanos(duration.group(1), unit)));
+        }
+        if (DECIMAL_COMMA.matcher(text).find()) {
+            throw new ModelException("time trigger '" + eventName + "' has a comma; write a point before decimals and"
+                    + " nothing between thousands, for example after 2.5 s");
         }
         throw new ModelException(
                 WITHOUT_UNIT.matcher(text).matches()

@@ -1,6 +1,7 @@
 package org.evoloop.models;
 
 import java.io.PrintWriter;
+import org.evoloop.statemachine.Names;
 import picocli.CommandLine.Model.CommandSpec;
 
 /** Prints results to standard output, which carries nothing else. */
@@ -9,7 +10,7 @@ final class Output {
 
     /** Prints a note to standard error. */
     static void note(CommandSpec spec, String text) {
-        spec.commandLine().getErr().println("note: " + text);
+        spec.commandLine().getErr().println("note: " + Names.inOneLine(text));
     }
 
     /** Prints an error to standard error, in addition to the result. */

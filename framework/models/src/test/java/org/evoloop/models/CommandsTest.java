@@ -3,9 +3,13 @@ package org.evoloop.models;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -239,5 +243,30 @@ class CommandsTest {
         assertThat(good("flatten", NEW).lines())
                 .startsWith("new (6 states, 5 events, 8 transitions), starts in Off")
                 .contains("SpotWait  timeout                     On");
+    }
+
+    @Test
+    void flattenSurvivesLineBreaks(@TempDir Path directory) throws IOException {
+        Path file = directory.resolve("lines.scxml");
+        Files.writeString(file, """
+                <scxml xmlns='http://www.w3.org/2005/07/scxml' version='1.0' initial='A&#x85;1'>
+                  <state id='A&#x85;1'><transition event='e' cond='x&#10;and y' target='B'><script>one();
+                two();</script></transition></state>
+                  <state id='B'><invoke src='three&#10;();'/></state>
+                </scxml>""");
+
+        assertThat(Tool.run("flatten", file.toString()).out().lines())
+                .containsExactly(
+                        "lines (2 states, 1 events, 1 transitions), starts in A?1",
+                        "B does invoke(src='three?();')",
+                        "state  event  guard     effects        next state",
+                        "A?1    e      x?and y  one();?two();  B");
+        assertThat(Tool.run("show", file.toString()).out().lines())
+                .contains("  A?1", "    e [x?and y] / one();?two(); -> B");
+        Tool xmi = Tool.run("flatten", file.toString(), "--format", "xmi");
+        assertThat(xmi.err()).contains("note: the line breaks in 'one();?two();' become spaces");
+        Files.writeString(directory.resolve("flat.xml"), xmi.out());
+        assertThat(Tool.run("flatten", directory.resolve("flat.xml").toString()).out())
+                .contains("A 1    e      x and y  one(); two();  B");
     }
 }

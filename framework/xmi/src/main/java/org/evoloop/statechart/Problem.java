@@ -20,6 +20,7 @@ public record Problem(Place place, String message, String remedy) {
     /** For messages. */
     @Override
     public String toString() {
-        return place.line() == 0 ? text() : "line " + place.line() + ": " + text();
+        Place where = new Place(place.file(), "", place.line());
+        return where.equals(Place.NONE) ? text() : where + ": " + text();
     }
 }

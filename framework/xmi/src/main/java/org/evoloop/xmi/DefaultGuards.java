@@ -36,7 +36,7 @@ final class DefaultGuards {
     private static void note(Arc arc, Set<String> defaults, Problems problems) {
         if (defaults.contains(arc.source()) && !arc.guard().isEmpty()) {
             problems.note(
-                    arc.place().line(),
+                    arc.place(),
                     "the guard [" + arc.guard()
                             + "] of a transition from an initial pseudostate or history is not evaluated, since "
                             + "nothing else could be entered; draw a choice behind it if there is something else");

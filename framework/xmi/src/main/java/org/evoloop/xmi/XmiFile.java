@@ -72,6 +72,7 @@ public final class XmiFile {
     private static XmiFile read(XmiStream opened) {
         try (XmiStream stream = opened) {
             XmiHead head = XmiHead.read(stream);
+            stream.refuseForeign(head);
             for (XmiDialect dialect : DIALECTS) {
                 if (dialect.recognises(head)) {
                     String file = stream.file();
@@ -177,6 +178,9 @@ public final class XmiFile {
         if (machines.isEmpty() && exporter.toLowerCase(Locale.ROOT).startsWith("umbrello")) {
             throw new ModelException(file + ": was written by Umbrello, which saves state diagrams as pictures, without"
                     + " what is connected with what; draw the machine in another tool, or write it in SCXML");
+        }
+        if (machines.isEmpty() && (file.endsWith(".di") || file.endsWith(".notation"))) {
+            throw new ModelException(file + ": is what Papyrus draws, and not the model; name the .uml file beside it");
         }
         if (machines.isEmpty()) {
             throw new ModelException(file + ": holds no state machine; draw one and export the file again");

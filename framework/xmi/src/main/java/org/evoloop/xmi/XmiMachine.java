@@ -110,7 +110,7 @@ public final class XmiMachine {
     public Flattening flattening() {
         Flattening flattening = Flattening.of(statechart());
         Problems problems = new Problems();
-        flattening.problems().forEach(problem -> problems.add(problem.place().line(), problem.text()));
+        flattening.problems().forEach(problem -> problems.add(problem.place(), problem.text()));
         require(problems);
         return flattening;
     }

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -60,6 +62,44 @@ class ZippedModelTest {
         assertThatThrownBy(() -> XmiFile.read(none))
                 .isInstanceOf(ModelException.class)
                 .hasMessageContaining("is a zip archive");
+    }
+
+    /** As large as a document may be, and packed to a thousandth. */
+    private Path bomb() throws IOException {
+        Path file = directory.resolve("bomb.zargo");
+        byte[] elements = "<a/>".repeat(1 << 18).getBytes(StandardCharsets.UTF_8);
+        try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(file))) {
+            zip.putNextEntry(new ZipEntry("robot.xmi"));
+            zip.write("<XMI xmi.version='1.2' xmlns:UML='org.omg.xmi.namespace.UML'>".getBytes(StandardCharsets.UTF_8));
+            for (int i = 0; i < 32; i++) {
+                zip.write(elements);
+            }
+        }
+        return file;
+    }
+
+    @Test
+    void refusesABombBeforeItIsUnpacked() throws IOException {
+        Path bomb = bomb();
+
+        assertThatThrownBy(() -> XmiFile.read(bomb))
+                .isInstanceOf(ModelException.class)
+                .hasMessageContaining(
+                        "bomb.zargo: is a zip archive whose document robot.xmi would have 32 MiB, more than 100")
+                .hasMessageContaining("unpack it and name the document");
+    }
+
+    @Test
+    void refusesABombThatSaysThatItIsSmall() throws IOException {
+        byte[] bytes = Files.readAllBytes(bomb());
+        // The uncompressed size in the central directory, at whose end the name is.
+        int directoryEntry = new String(bytes, StandardCharsets.ISO_8859_1).indexOf("PK\001\002");
+        ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).putInt(directoryEntry + 24, 1 << 20);
+        Path liar = Files.write(directory.resolve("liar.zargo"), bytes);
+
+        assertThatThrownBy(() -> XmiFile.read(liar))
+                .isInstanceOf(ModelException.class)
+                .hasMessageContaining("liar.zargo: is a damaged zip archive, whose document is longer than it says");
     }
 
     @Test

@@ -44,10 +44,16 @@ public final class Drawing {
         return find(element).isPresent();
     }
 
-    /** {@code robot.xml, line 12, id ek-39}; only the file if the element is not found. */
+    /**
+     * {@code robot.xml, line 12, id ek-39}, with the file that contains the element if that is imported; only the file if
+     * the element is not found.
+     */
     public String place(Element element) {
-        String where = find(element).map(Place::toString).orElse("");
-        return where.isEmpty() ? file : file + ", " + where;
+        Place where = find(element).orElse(Place.NONE);
+        if (where.equals(Place.NONE)) {
+            return file;
+        }
+        return where.file().isEmpty() ? file + ", " + where : where.toString();
     }
 
     private Optional<Place> find(Element element) {

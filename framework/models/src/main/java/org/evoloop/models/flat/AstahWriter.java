@@ -4,8 +4,10 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import org.evoloop.statechart.Spontaneous;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
@@ -38,6 +40,7 @@ public final class AstahWriter {
      *   <li>several guards of an internal transition, which become one text
      *   <li>states that differ only in what the machine remembers
      *   <li>an event that is deferred under a guard
+     *   <li>line breaks, which Astah's files have only where a name is too long for one line
      * </ul>
      */
     public static List<String> losses(StateMachine machine) {
@@ -60,7 +63,23 @@ public final class AstahWriter {
                         + " with something remembered; a flat drawing makes it a state of its own");
             }
         }
+        texts(machine)
+                .filter(text -> !Names.inOneLine(text).equals(text))
+                .distinct()
+                .forEach(text -> losses.add("the line breaks in '" + Names.inOneLine(text) + "' become spaces"));
         return losses;
+    }
+
+    private static Stream<String> texts(StateMachine machine) {
+        Stream<String> ofStates = machine.states().stream()
+                .flatMap(state -> Stream.concat(Stream.of(state.name()), machine.activities(state).stream()));
+        Stream<String> ofTransitions = machine.transitions().stream()
+                .flatMap(transition -> Stream.of(
+                                List.of(transition.event().name()),
+                                transition.event().guards(),
+                                transition.effects())
+                        .flatMap(List::stream));
+        return Stream.concat(machine.initialEffects().stream(), Stream.concat(ofStates, ofTransitions));
     }
 
     /** The XML text of {@code machine}. */

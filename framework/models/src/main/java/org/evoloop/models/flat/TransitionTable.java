@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
@@ -28,19 +29,20 @@ public final class TransitionTable {
             }
         }
         StringBuilder text = new StringBuilder();
-        text.append(machine).append(", starts in ").append(machine.initial());
-        text.append(machine.initialEffects().isEmpty() ? "" : " / " + String.join("; ", machine.initialEffects()));
-        text.append('\n');
+        String initially =
+                machine.initialEffects().isEmpty() ? "" : " / " + String.join("; ", machine.initialEffects());
+        line(text, machine + ", starts in " + machine.initial() + initially);
         for (State state : machine.states()) {
             if (!machine.activities(state).isEmpty()) {
-                text.append(state).append(" does ").append(String.join("; ", machine.activities(state)));
-                text.append('\n');
+                line(text, state + " does " + String.join("; ", machine.activities(state)));
             }
             if (!machine.deferred(state).isEmpty()) {
-                text.append(state).append(" defers ");
-                text.append(
-                        machine.deferred(state).stream().map(Event::toString).collect(Collectors.joining("; ")));
-                text.append('\n');
+                line(
+                        text,
+                        state + " defers "
+                                + machine.deferred(state).stream()
+                                        .map(Event::toString)
+                                        .collect(Collectors.joining("; ")));
             }
         }
         for (List<String> row : rows) {
@@ -49,9 +51,14 @@ public final class TransitionTable {
                 String cell = row.get(column);
                 line.append(cell).append(" ".repeat(widths[column] - width(cell) + 2));
             }
-            text.append(line.toString().stripTrailing()).append('\n');
+            line(text, line.toString().stripTrailing());
         }
         return text.toString();
+    }
+
+    /** Effects and guards of several lines would break the table. */
+    private static void line(StringBuilder text, String line) {
+        text.append(Names.inOneLine(line)).append('\n');
     }
 
     private static List<String> row(Transition transition) {

@@ -10,6 +10,7 @@ import org.evoloop.statechart.Statechart;
 import org.evoloop.statechart.Vertex;
 import org.evoloop.statechart.Vertex.ChartState;
 import org.evoloop.statechart.Vertex.FinalState;
+import org.evoloop.statemachine.Names;
 
 /** A machine as text: each vertex with its contents and its transitions. */
 public final class MachineText {
@@ -36,11 +37,16 @@ public final class MachineText {
         long states = index.vertices().stream()
                 .filter(vertex -> !(vertex instanceof Vertex.Pseudostate))
                 .count();
-        text.append(chart.name()).append(": ").append(count(states, "state")).append(", ");
+        text.append(Names.inOneLine(chart.name()))
+                .append(": ")
+                .append(count(states, "state"))
+                .append(", ");
         text.append(count(index.events().size(), "event")).append(", ");
         text.append(count(index.transitions().size(), "transition")).append('\n');
         if (!index.events().isEmpty()) {
-            text.append("  events: ").append(String.join(", ", index.events())).append('\n');
+            text.append("  events: ")
+                    .append(Names.inOneLine(String.join(", ", index.events())))
+                    .append('\n');
         }
     }
 
@@ -95,6 +101,6 @@ public final class MachineText {
     }
 
     private void line(int depth, String content) {
-        text.append("  ".repeat(depth)).append(content).append('\n');
+        text.append("  ".repeat(depth)).append(Names.inOneLine(content)).append('\n');
     }
 }

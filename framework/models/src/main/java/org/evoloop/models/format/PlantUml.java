@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.evoloop.models.chart.ArcLabel;
 import org.evoloop.models.chart.ChartIndex;
 import org.evoloop.models.chart.StateLabel;
@@ -15,15 +16,22 @@ import org.evoloop.statechart.Vertex.ChartState;
 import org.evoloop.statechart.Vertex.FinalState;
 import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.statechart.Vertex.Pseudostate;
+import org.evoloop.statemachine.Names;
 
-/** Machines in PlantUML's language, one diagram each. */
+/**
+ * Machines in PlantUML's language, one diagram each. PlantUML draws no transition into or out of a concurrent region but
+ * the first of its state. Such a transition is drawn from or to that state, and its label says where it really begins or
+ * ends.
+ */
 public final class PlantUml {
     private final ChartIndex index;
+    private final PlantUmlRegions regions;
     private final Map<String, String> aliases = new HashMap<>();
     private final StringBuilder text = new StringBuilder();
 
-    private PlantUml(ChartIndex index) {
-        this.index = index;
+    private PlantUml(Statechart chart) {
+        this.index = new ChartIndex(chart);
+        this.regions = new PlantUmlRegions(chart);
         index.vertices().forEach(vertex -> aliases.put(vertex.key(), "v" + aliases.size()));
     }
 
@@ -33,23 +41,23 @@ public final class PlantUml {
     }
 
     private static String of(Statechart chart) {
-        PlantUml writer = new PlantUml(new ChartIndex(chart));
+        PlantUml writer = new PlantUml(chart);
         writer.line(0, "@startuml");
         writer.line(0, "hide empty description");
         writer.line(0, "title " + oneLine(chart.name()));
         writer.regions(chart.regions(), 0);
+        writer.regions.acrossAll().forEach(arc -> writer.arc(arc, 0));
         writer.line(0, "@enduml");
         return writer.text.toString();
     }
 
-    /** A transition is written in the region that contains it. */
-    private void regions(List<Region> regions, int depth) {
-        for (int i = 0; i < regions.size(); i++) {
+    private void regions(List<Region> all, int depth) {
+        for (int i = 0; i < all.size(); i++) {
             if (i > 0) {
                 line(depth, "--");
             }
-            regions.get(i).vertices().forEach(vertex -> vertex(vertex, depth));
-            regions.get(i).arcs().forEach(arc -> arc(arc, depth));
+            all.get(i).vertices().forEach(vertex -> vertex(vertex, depth));
+            regions.writtenIn(all.get(i)).forEach(arc -> arc(arc, depth));
         }
     }
 
@@ -97,14 +105,20 @@ public final class PlantUml {
         line(depth, alias + " : " + oneLine(content));
     }
 
-    private void arc(Arc arc, int depth) {
-        if (arc.kind() != Arc.Kind.INTERNAL) {
-            String label = ArcLabel.of(arc);
-            line(
-                    depth,
-                    aliases.get(arc.source()) + " --> " + aliases.get(arc.target())
-                            + (label.isEmpty() ? "" : " : " + oneLine(label)));
-        }
+    private void arc(PlantUmlRegions.Drawn drawn, int depth) {
+        Arc arc = drawn.arc();
+        String ends = Stream.of(
+                        drawn.source().equals(arc.source()) ? "" : "from " + index.name(arc.source()),
+                        drawn.target().equals(arc.target()) ? "" : "to " + index.name(arc.target()))
+                .filter(end -> !end.isEmpty())
+                .collect(Collectors.joining(" "));
+        String label = Stream.of(ArcLabel.of(arc), ends.isEmpty() ? "" : "(" + ends + ")")
+                .filter(part -> !part.isEmpty())
+                .collect(Collectors.joining(" "));
+        line(
+                depth,
+                aliases.get(drawn.source()) + " --> " + aliases.get(drawn.target())
+                        + (label.isEmpty() ? "" : " : " + oneLine(label)));
     }
 
     private void line(int depth, String content) {
@@ -116,6 +130,6 @@ public final class PlantUml {
     }
 
     private static String oneLine(String content) {
-        return content.replace("\n", "\\n");
+        return Names.inOneLine(content.replace("\n", "\\n"));
     }
 }

@@ -11,6 +11,7 @@ import org.evoloop.xmi.astah.AstahXml.End;
 import org.evoloop.xmi.astah.AstahXml.Event;
 import org.evoloop.xmi.astah.AstahXml.State;
 import org.evoloop.xmi.astah.AstahXml.Transition;
+import org.evoloop.xmi.dialect.Condition;
 import org.evoloop.xmi.dialect.Problems;
 
 /** Turns the transitions of one machine into {@link Arc arcs}. */
@@ -122,7 +123,7 @@ final class AstahArcs {
                 source,
                 target,
                 label.trigger().isEmpty() ? triggers : List.of(label.trigger()),
-                label.guard().isEmpty() ? guard : label.guard(),
+                Condition.guard(label.guard().isEmpty() ? guard : label.guard()),
                 label.effect().isEmpty() ? effects : List.of(label.effect()),
                 kind);
     }

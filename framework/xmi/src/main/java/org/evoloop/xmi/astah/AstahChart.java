@@ -233,7 +233,7 @@ final class AstahChart {
                 role -> role.events.forEach(event -> deferred.add(scope.arcs.eventName(event, state))));
         return new Vertex.ChartState(
                 scope.key(state),
-                problems.nameOrId(state.name(), state.id(), state.line),
+                problems.nameOrId(state.name(), place(state)),
                 place(state),
                 texts(state.entries),
                 texts(state.exits),

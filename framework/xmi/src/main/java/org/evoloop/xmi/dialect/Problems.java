@@ -6,6 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.evoloop.statechart.Place;
 
 /** The problems of one machine, one line each; of thousands, only the first are listed. */
 public final class Problems {
@@ -16,21 +17,21 @@ public final class Problems {
     private int unlisted;
     private final Set<Problem> notes = new LinkedHashSet<>();
 
-    private record Problem(int line, String text) {
+    private record Problem(Place place, String text) {
         /** Problems without a line come last. */
         int order() {
-            return line > 0 ? line : Integer.MAX_VALUE;
+            return place.line() > 0 ? place.line() : Integer.MAX_VALUE;
         }
 
         @Override
         public String toString() {
-            return line > 0 ? "line " + line + ": " + text : text;
+            return place.equals(Place.NONE) ? text : place + ": " + text;
         }
     }
 
     /** Adds all problems and notes found earlier. */
     public void addAll(Problems earlier) {
-        earlier.listed.forEach(problem -> add(problem.line(), problem.text()));
+        earlier.listed.forEach(problem -> add(problem.place(), problem.text()));
         unlisted += earlier.unlisted;
         notes.addAll(earlier.notes);
     }
@@ -42,7 +43,17 @@ public final class Problems {
      * @param text the problem, with kind, name and id of the element, and how to fix it
      */
     public void add(int line, String text) {
-        Problem problem = new Problem(line, text);
+        add(new Place("", line), text);
+    }
+
+    /**
+     * Adds a problem, unless it is already there.
+     *
+     * @param place of which file and line are used
+     * @param text as above
+     */
+    public void add(Place place, String text) {
+        Problem problem = new Problem(new Place(place.file(), "", place.line()), text);
         if (listed.contains(problem)) {
             return;
         }
@@ -60,17 +71,23 @@ public final class Problems {
      * @param text as in {@link #add}
      */
     public void note(int line, String text) {
+        note(new Place("", line), text);
+    }
+
+    /** The same for a place, of which file and line are used. */
+    public void note(Place place, String text) {
         if (notes.size() < LISTED) {
-            notes.add(new Problem(line, text));
+            notes.add(new Problem(new Place(place.file(), "", place.line()), text));
         }
     }
 
     /** The name of a state. If it has none, its id; that is noted. */
-    public String nameOrId(String name, String id, int line) {
+    public String nameOrId(String name, Place place) {
+        String id = place.id();
         if (!name.isEmpty() || id.isEmpty()) {
             return name;
         }
-        note(line, "state without a name is called by its id, " + quote(id) + "; give it a name");
+        note(place, "state without a name is called by its id, " + quote(id) + "; give it a name");
         return id;
     }
 

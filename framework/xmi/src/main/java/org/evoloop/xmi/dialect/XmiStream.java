@@ -11,7 +11,9 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.HashSet;
+import java.util.Optional;
 import java.util.Set;
 import javax.xml.XMLConstants;
 import javax.xml.stream.Location;
@@ -46,6 +48,7 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
     private final Set<String> names = new HashSet<>();
     private int depth;
     private long keptBytes;
+    private int strayTextLine;
 
     private XmiStream(String file, InputStream bytes) {
         this.file = file;
@@ -110,23 +113,27 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
     }
 
     private Charset encoding() throws IOException {
-        input.mark(XmlEncoding.HEAD_BYTES);
-        byte[] head = input.readNBytes(XmlEncoding.HEAD_BYTES);
+        input.mark(ForeignFormat.HEAD_BYTES);
+        byte[] head = input.readNBytes(ForeignFormat.HEAD_BYTES);
         input.reset();
         if (head.length == 0) {
             throw refuse("is empty", EXPORT_AGAIN);
+        }
+        if (head[0] == 0x1F) {
+            throw refuse("is compressed by gzip", "unpack it with gunzip");
+        }
+        Optional<ForeignFormat> foreign = ForeignFormat.of(file, head);
+        if (foreign.isPresent()) {
+            throw refuse(foreign.get());
         }
         if (head[0] == 'P' && head.length > 1 && head[1] == 'K') {
             throw refuse(
                     "is a zip archive, such as an Astah project (.asta), not XML",
                     "open it in Astah and use Tools > XML Input & Output > Save as XML Project");
         }
-        if (head[0] == 0x1F) {
-            throw refuse("is compressed by gzip", "unpack it with gunzip");
-        }
         input.skipNBytes(XmlEncoding.utf8MarkBytes(head));
         try {
-            return XmlEncoding.of(head);
+            return XmlEncoding.of(Arrays.copyOf(head, Math.min(head.length, XmlEncoding.HEAD_BYTES)));
         } catch (IllegalArgumentException unknown) {
             throw refuse("is in the unknown encoding " + unknown.getMessage(), "save it in UTF-8");
         }
@@ -145,6 +152,11 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
     /** The current line, counted from 1. */
     public int line() {
         return getLocation().getLineNumber();
+    }
+
+    /** The first line with text directly in the root; 0 if there is none so far. */
+    public int strayTextLine() {
+        return strayTextLine;
     }
 
     /** Advances to the next start tag. Returns false at the end of the element that is open at {@code outerDepth}. */
@@ -202,6 +214,11 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
                 case START_ELEMENT -> startElement();
                 case END_ELEMENT -> depth--;
                 case DTD -> throw refuse("contains a DOCTYPE, which is refused for security reasons", "remove it");
+                case CHARACTERS, CDATA -> {
+                    if (depth == 1 && strayTextLine == 0 && !isWhiteSpace()) {
+                        strayTextLine = line();
+                    }
+                }
                 case PROCESSING_INSTRUCTION -> name(getPITarget());
                 default -> {}
             }
@@ -249,6 +266,22 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
         } catch (XMLStreamException notText) {
             throw notXml(notText);
         }
+    }
+
+    private ModelException refuse(ForeignFormat foreign) {
+        return new ModelException(
+                message("is " + foreign.what() + ", which Evoloop does not read", 0, foreign.remedy()));
+    }
+
+    /**
+     * Refuses a document of a format that is known and not read.
+     *
+     * @throws ModelException if its head shows such a format
+     */
+    public void refuseForeign(XmiHead head) {
+        ForeignFormat.of(head).ifPresent(foreign -> {
+            throw refuse(foreign);
+        });
     }
 
     /** {@code FILE: what (line N): remedy}. */

@@ -4,6 +4,7 @@ import java.util.AbstractList;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import javax.xml.namespace.QName;
 import javax.xml.stream.XMLStreamConstants;
@@ -68,6 +69,33 @@ public final class XmlNode {
     /** A copy with another name and other children. */
     public XmlNode as(String otherName, List<XmlNode> otherChildren) {
         return new XmlNode(this, otherName, List.of(attributes), otherChildren);
+    }
+
+    /** A copy with another value of an attribute that it has. */
+    public XmlNode with(String attribute, String value) {
+        String[] changed = attributes.clone();
+        for (int i = 0; i < changed.length; i += 2) {
+            if (changed[i].equals(attribute)) {
+                changed[i + 1] = value;
+            }
+        }
+        return new XmlNode(this, name, List.of(changed), children);
+    }
+
+    /** A copy in which each child is replaced, or removed for null; itself if nothing changes. */
+    public XmlNode withChildren(Function<XmlNode, @Nullable XmlNode> replacement) {
+        List<XmlNode> others = null;
+        for (int i = 0; i < children.size(); i++) {
+            XmlNode child = children.get(i);
+            XmlNode other = replacement.apply(child);
+            if (other != child && others == null) {
+                others = new ArrayList<>(children.subList(0, i));
+            }
+            if (other != null && others != null) {
+                others.add(other);
+            }
+        }
+        return others == null ? this : as(name, others);
     }
 
     /**

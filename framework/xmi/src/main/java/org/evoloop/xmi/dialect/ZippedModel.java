@@ -14,6 +14,10 @@ import org.evoloop.statemachine.ModelException;
 /** Unpacks zip files that contain one XMI document, such as ArgoUML's projects ({@code .zargo}). */
 final class ZippedModel {
     private static final int NAMES_LISTED = 10;
+    /** A document of this size is read in no time, however well it is packed. */
+    private static final long SMALL_BYTES = 2 << 20;
+    /** Real documents are packed to a tenth or a thirtieth. */
+    private static final long MAX_RATIO = 100;
 
     private ZippedModel() {}
 
@@ -49,7 +53,13 @@ final class ZippedModel {
                         + "); unpack it and name one");
             }
             if (documents.size() == 1) {
-                return new Unpacked(zip.getInputStream(documents.get(0)), zip);
+                ZipEntry document = documents.get(0);
+                if (document.getSize() > SMALL_BYTES && document.getSize() / MAX_RATIO > document.getCompressedSize()) {
+                    throw new ModelException(file + ": is a zip archive whose document " + document.getName()
+                            + " would have " + (document.getSize() >> 20) + " MiB, more than " + MAX_RATIO
+                            + " times its size in the archive; if it is a real model, unpack it and name the document");
+                }
+                return new Unpacked(zip.getInputStream(document), document.getSize(), file, zip);
             }
         } catch (IOException | RuntimeException failed) {
             zip.close();
@@ -65,13 +75,39 @@ final class ZippedModel {
         }
     }
 
-    /** Closes the archive together with the document. */
+    /** Closes the archive together with the document, which may not be longer than the archive says. */
     private static final class Unpacked extends FilterInputStream {
+        private final Path file;
         private final ZipFile zip;
+        private long left;
 
-        Unpacked(InputStream document, ZipFile zip) {
+        Unpacked(InputStream document, long bytes, Path file, ZipFile zip) {
             super(document);
+            this.left = bytes;
+            this.file = file;
             this.zip = zip;
+        }
+
+        @Override
+        public int read() throws IOException {
+            int read = super.read();
+            count(read < 0 ? 0 : 1);
+            return read;
+        }
+
+        @Override
+        public int read(byte[] buffer, int offset, int length) throws IOException {
+            int read = super.read(buffer, offset, length);
+            count(Math.max(0, read));
+            return read;
+        }
+
+        private void count(int read) {
+            left -= read;
+            if (left < 0) {
+                throw new ModelException(
+                        file + ": is a damaged zip archive, whose document is longer than it says; pack it again");
+            }
         }
 
         @Override

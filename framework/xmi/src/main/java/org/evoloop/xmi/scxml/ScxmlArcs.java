@@ -177,15 +177,6 @@ final class ScxmlArcs {
 
     /** @param label computed only when needed, since there may be a hundred thousand transitions */
     private void read(XmlNode transition, ScxmlVertex state, Supplier<String> label) {
-        // Here and below, no iterators: with a hundred thousand transitions they would be most of the garbage.
-        for (int i = 0; i < transition.attributeCount(); i++) {
-            String attribute = transition.attributeName(i);
-            if (!isKnown(attribute)) {
-                problems.add(
-                        transition.line(),
-                        "attribute " + attribute + " of " + label.get() + " is not supported; remove it");
-            }
-        }
         String ids = ids(transition);
         List<ScxmlVertex> targets = tree.targets(ids, transition.line(), label);
         if (targets.isEmpty() && !ids.isEmpty()) {
@@ -215,13 +206,6 @@ final class ScxmlArcs {
         }
     }
 
-    private static boolean isKnown(String attribute) {
-        return switch (attribute) {
-            case "event", "cond", "target", "type" -> true;
-            default -> attribute.indexOf(':') >= 0;
-        };
-    }
-
     /**
      * The causes that no earlier transition of the state always takes. If several transitions are enabled, SCXML takes
      * the first.
@@ -231,6 +215,7 @@ final class ScxmlArcs {
             return causes;
         }
         boolean all = true;
+        // No iterators: with a hundred thousand transitions they would be most of the garbage.
         for (int i = 0; i < causes.size(); i++) {
             all &= isFree(causes.get(i), condition, state);
         }

@@ -14,6 +14,7 @@ import java.util.regex.Pattern;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.jspecify.annotations.Nullable;
+import org.evoloop.xmi.dialect.XmlNode;
 
 /**
  * Finds the events that a transition's descriptors match. {@code a} matches {@code a}, {@code a.b} and so on; {@code *}
@@ -24,10 +25,9 @@ import org.jspecify.annotations.Nullable;
 final class ScxmlEvents {
     private static final String DONE = "done.state.";
     private static final String ANY = "*";
-    /** A time trigger such as {@code after 2 s} or {@code tm( 2 s )}, or else a word. */
+    /** A time trigger such as {@code after 2 s} or {@code tm( 2 s )}, with any unit, or else a word. */
     private static final Pattern DESCRIPTOR = Pattern.compile("(?i:after|tm)\\s*\\([^)]*\\)(?=\\s|$)"
-            + "|(?i:after)\\s+(?:(?i:PT?[0-9]\\S*)|[0-9.]+(?:\\s*(?i:ms|msec|milliseconds?|s|sec|seconds?|min"
-            + "|minutes?|h|hours?|d|days?))?)(?=\\s|$)"
+            + "|(?i:after)\\s+(?:(?i:PT?[0-9]\\S*)|[0-9.,]+(?:\\s*(?!(?i:after|tm)\\b)\\p{L}+)?)(?=\\s|$)"
             + "|\\S+");
 
     private final ScxmlTree tree;
@@ -66,7 +66,7 @@ final class ScxmlEvents {
     }
 
     /** The descriptors, separated by white space; a time trigger may contain white space. */
-    private static List<String> descriptors(String attribute) {
+    static List<String> descriptors(String attribute) {
         Matcher descriptor = DESCRIPTOR.matcher(attribute.strip());
         List<String> found = new ArrayList<>(1);
         while (descriptor.find()) {
@@ -121,5 +121,37 @@ final class ScxmlEvents {
             // A time trigger without a unit, which may be given for the whole file.
             return true;
         }
+    }
+
+    /** The transitions that take this event, at any depth. */
+    static List<XmlNode> takers(List<XmlNode> children, String event) {
+        List<XmlNode> takers = new ArrayList<>();
+        for (XmlNode child : children) {
+            if (child.name().equals("transition")) {
+                if (takes(child, event)) {
+                    takers.add(child);
+                }
+            } else {
+                takers.addAll(takers(child.children(), event));
+            }
+        }
+        return takers;
+    }
+
+    /** Whether a transition takes this event, if its condition holds. */
+    static boolean takes(XmlNode transition, String event) {
+        return names(transition, event)
+                || descriptors(transition.attribute("event")).contains(ANY);
+    }
+
+    /** Whether a transition takes this event, and not just any. */
+    static boolean names(XmlNode transition, String event) {
+        return descriptors(transition.attribute("event")).stream().anyMatch(descriptor -> matches(descriptor, event));
+    }
+
+    /** Whether the descriptor is the event, or the words with which it begins. */
+    static boolean matches(String descriptor, String event) {
+        String name = descriptor.endsWith(".*") ? descriptor.substring(0, descriptor.length() - 2) : descriptor;
+        return event.equals(name) || event.startsWith(name + ".");
     }
 }

@@ -32,6 +32,10 @@ record ScxmlMachine(ScxmlDocument document) implements DrawnMachine {
 
     @Override
     public Statechart statechart(String title, Problems problems) {
-        return new ScxmlChartReader(new ScxmlTree(document, problems), problems).read(title);
+        ScxmlLosses.check(document, problems);
+        ScxmlDocument read = ScxmlConditions.read(document, problems);
+        read = ScxmlRaises.read(read, problems);
+        read = ScxmlTimers.read(read, problems);
+        return new ScxmlChartReader(new ScxmlTree(read, problems), problems).read(title);
     }
 }

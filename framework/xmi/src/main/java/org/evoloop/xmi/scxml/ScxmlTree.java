@@ -51,7 +51,8 @@ final class ScxmlTree {
         }
     }
 
-    private static boolean isVertex(XmlNode node) {
+    /** Whether this is a state, history or final. */
+    static boolean isVertex(XmlNode node) {
         return switch (node.name()) {
             case "state", "parallel", "final", "history" -> true;
             default -> false;

@@ -13,6 +13,7 @@ import org.evoloop.statechart.Vertex.FinalState;
 import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.statechart.Vertex.Pseudostate;
 import org.evoloop.xmi.dialect.ChartScope;
+import org.evoloop.xmi.dialect.NamedCompletion;
 import org.evoloop.xmi.dialect.Problems;
 import org.evoloop.xmi.dialect.TransitionEnd;
 
@@ -59,7 +60,12 @@ final class Uml14ChartReader {
         List<Arc> arcs = new ArrayList<>();
         for (Uml14Element transition : scope.machine().owned("transitions")) {
             arc(transition, end(transition, "source", scope), end(transition, "target", scope), Arc.Kind.EXTERNAL)
-                    .ifPresent(arcs::add);
+                    .ifPresent(arc -> {
+                        arcs.add(arc);
+                        transition.all("source", problems).stream()
+                                .filter(Uml14Vertices::isState)
+                                .forEach(state -> NamedCompletion.check(transition, state, arc.triggers(), problems));
+                    });
         }
         List<Region> regions = new ArrayList<>();
         for (Uml14Element top : Uml14Vertices.tops(scope.machine())) {
@@ -150,7 +156,7 @@ final class Uml14ChartReader {
     }
 
     private ChartState state(Uml14Element state, String key, ChartScope<Uml14Element> scope) {
-        String name = problems.nameOrId(state.name(), state.id(), state.line());
+        String name = problems.nameOrId(state.name(), state.place());
         for (Uml14Element transition : state.owned("internalTransition")) {
             arc(transition, Optional.of(key), Optional.of(key), Arc.Kind.INTERNAL)
                     .ifPresent(scope::addInternal);

@@ -17,7 +17,7 @@ public final class Uml14Dialect implements XmiDialect {
 
     @Override
     public String toString() {
-        return "UML 1.x in XMI 1.x (ArgoUML, Poseidon, Enterprise Architect, Visual Paradigm, StarUML 1)";
+        return "UML 1.x in XMI 1.x (ArgoUML, Poseidon, Enterprise Architect, StarUML 1)";
     }
 
     @Override

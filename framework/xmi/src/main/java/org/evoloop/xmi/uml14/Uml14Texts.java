@@ -3,6 +3,7 @@ package org.evoloop.xmi.uml14;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
+import org.evoloop.xmi.dialect.Condition;
 import org.evoloop.xmi.dialect.Problems;
 
 /** The texts of triggers, guards and actions. */
@@ -85,10 +86,7 @@ final class Uml14Texts {
         if (text.isEmpty()) {
             text = guard.type().endsWith("Expression") ? guard.text("body").strip() : guard.name();
         }
-        if (text.startsWith("[") && text.endsWith("]")) {
-            text = text.substring(1, text.length() - 1).strip();
-        }
-        return text.equalsIgnoreCase("else") ? "else" : text;
+        return Condition.guard(text);
     }
 
     private String expression(Uml14Element owner, String role) {

@@ -27,6 +27,24 @@ final class Uml14Vocabulary {
             "uuid",
             "label");
 
+    /** Properties that hold elements, and no text. */
+    private static final Set<String> ELEMENTS = Set.of(
+            "top",
+            "transitions",
+            "subvertex",
+            "substate",
+            "entry",
+            "exit",
+            "doActivity",
+            "internalTransition",
+            "deferrableEvent",
+            "trigger",
+            "guard",
+            "effect",
+            "source",
+            "target",
+            "submachine");
+
     private static final Set<String> VERTEX = Set.of("container", "incoming", "outgoing", "stateMachine");
 
     private static final Set<String> STATE = union(
@@ -68,6 +86,9 @@ final class Uml14Vocabulary {
     /** Reports everything in the element that is not read. */
     static void check(Uml14Element element, Problems problems) {
         Set<String> known = BY_TYPE.getOrDefault(element.type(), Set.of());
+        if (!element.node().text().isEmpty()) {
+            refuse(element, element.line(), text(element.node()), problems);
+        }
         for (String attribute : element.node().attributeNames()) {
             // Attributes with another prefix are a tool's extension.
             String name = attribute.startsWith("xmi.") ? Uml14Element.lastPart(attribute) : attribute;
@@ -80,8 +101,15 @@ final class Uml14Vocabulary {
         for (XmlNode child : element.node().children()) {
             if (!Uml14Element.isProperty(child) || !isKnown(Uml14Element.lastPart(child.name()), known)) {
                 refuse(element, child.line(), "element " + child.name(), problems);
+            } else if (ELEMENTS.contains(Uml14Element.lastPart(child.name()))
+                    && !child.text().isEmpty()) {
+                refuse(element, child.line(), text(child) + " in " + child.name(), problems);
             }
         }
+    }
+
+    private static String text(XmlNode node) {
+        return "text " + Problems.quote(node.text());
     }
 
     private static boolean isKnown(String name, Set<String> known) {

@@ -38,6 +38,15 @@ final class LooseVertices {
         open.push(new Open(depth, element, new ArrayList<>(), new ArrayList<>()));
     }
 
+    /** Replaces the package that was entered last. */
+    void replace(XmlNode unnamed, XmlNode named) {
+        Open last = open.element();
+        if (last.element() == unnamed) {
+            open.pop();
+            open.push(new Open(last.depth(), named, last.shells(), last.parts()));
+        }
+    }
+
     /** Leaves the packages that have ended before an element of this depth. */
     private void around(int depth) {
         while (open.size() > 1 && open.element().depth() >= depth) {
@@ -85,7 +94,7 @@ final class LooseVertices {
                                         "xmi:id",
                                         named.attribute("xmi:id"),
                                         "name",
-                                        named.attribute("name")),
+                                        Uml2Element.attribute(named, "name")),
                                 List.of(region)),
                         owner.shells()));
             }

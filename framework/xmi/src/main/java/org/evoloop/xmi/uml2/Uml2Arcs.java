@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import org.evoloop.statechart.Arc;
 import org.evoloop.xmi.dialect.ChartScope;
+import org.evoloop.xmi.dialect.NamedCompletion;
 import org.evoloop.xmi.dialect.Problems;
 import org.evoloop.xmi.dialect.TransitionEnd;
 
@@ -25,7 +26,7 @@ final class Uml2Arcs {
     Optional<Arc> read(Uml2Element transition, ChartScope<Uml2Element> scope) {
         if (!transition.type().endsWith("Transition")) {
             problems.add(
-                    transition.line(),
+                    transition.place(),
                     "element transition " + transition.label() + " is of type " + Problems.quote(transition.type())
                             + ", which is not supported; draw a transition");
             return Optional.empty();
@@ -39,6 +40,9 @@ final class Uml2Arcs {
         if (source.isEmpty() || target.isEmpty()) {
             return Optional.empty();
         }
+        references.all(transition, "source").stream()
+                .filter(end -> Uml2Vertices.type(end).equals("State"))
+                .forEach(state -> NamedCompletion.check(transition, state, events, problems));
         Arc.Kind kind = kind(transition, scope, source.get(), target.get());
         return Optional.of(new Arc(transition.place(), source.get(), target.get(), events, guard, effects, kind));
     }
@@ -49,7 +53,7 @@ final class Uml2Arcs {
         List<Uml2Element> ends = references.all(transition, role);
         if (ends.size() != 1) {
             if (problems.count() == before) {
-                problems.add(transition.line(), words.notOne(ends.isEmpty()));
+                problems.add(transition.place(), words.notOne(ends.isEmpty()));
             }
             return Optional.empty();
         }
@@ -61,7 +65,7 @@ final class Uml2Arcs {
         }
         if (key.isEmpty()) {
             problems.add(
-                    transition.line(),
+                    transition.place(),
                     words.noVertex(
                             points.size() > 1
                                     ? "a point of a submachine that " + points.size() + " states share"
@@ -90,7 +94,7 @@ final class Uml2Arcs {
         }
         if (scope.isWithin(source, target)) {
             problems.note(
-                    transition.line(),
+                    transition.place(),
                     "transition " + transition.label() + " is taken as external, though its kind is local, since "
                             + "Enterprise Architect writes that on every transition: it leaves and enters its state; "
                             + "make it internal if it should not");
@@ -110,7 +114,7 @@ final class Uml2Arcs {
             case "internal" -> {
                 if (!source.equals(target)) {
                     problems.add(
-                            transition.line(),
+                            transition.place(),
                             "internal transition " + transition.label()
                                     + " leads to another state; draw it from its state to itself");
                 }
@@ -118,7 +122,7 @@ final class Uml2Arcs {
             }
             default -> {
                 problems.add(
-                        transition.line(),
+                        transition.place(),
                         "transition " + transition.label() + " is of the unknown kind " + Problems.quote(kind)
                                 + "; use internal, local or external");
                 return Arc.Kind.EXTERNAL;

@@ -113,7 +113,7 @@ final class Uml2ChartReader {
             case "Pseudostate" -> pseudostate(vertex, scope).map(pseudostate -> pseudostate);
             default -> {
                 problems.add(
-                        vertex.line(),
+                        vertex.place(),
                         "vertex " + vertex.label() + " is of type " + Problems.quote(vertex.type())
                                 + ", which is not supported; draw a state or pseudostate");
                 yield Optional.empty();
@@ -125,7 +125,7 @@ final class Uml2ChartReader {
         Kind kind = KINDS.get(vertex.attribute("kind"));
         if (kind == null) {
             problems.add(
-                    vertex.line(),
+                    vertex.place(),
                     "pseudostate " + vertex.label() + " is of the unknown kind "
                             + Problems.quote(vertex.attribute("kind")) + "; use one of UML's kinds");
             return Optional.empty();
@@ -141,14 +141,14 @@ final class Uml2ChartReader {
     }
 
     private ChartState state(Uml2Element state, ChartScope<Uml2Element> scope, Map<XmlNode, List<Arc>> drawn) {
-        String name = problems.nameOrId(state.name(), state.id(), state.line());
+        String name = problems.nameOrId(state.name(), state.place());
         List<Region> regions = regions(state, scope, drawn);
         List<Pseudostate> connections = new ArrayList<>(points(state, scope));
         Optional<ChartScope<Uml2Element>> submachine = scope.submachine(state.id());
         if (submachine.isPresent()) {
             if (!regions.isEmpty()) {
                 problems.add(
-                        state.line(),
+                        state.place(),
                         "state " + state.label()
                                 + " has regions and a submachine; move the regions into the submachine");
             }
@@ -169,12 +169,16 @@ final class Uml2ChartReader {
                 connections);
     }
 
-    /** A constraint is either a guard or a remark about an invariant. */
+    /** A constraint is either a guard or a remark, such as the invariant of a state. */
     private void noteOthersThanGuards(Uml2Element owner) {
-        for (Uml2Element rule : owner.owned("ownedRule")) {
+        List<Uml2Element> rules = new ArrayList<>(owner.owned("ownedRule"));
+        references.all(owner, "stateInvariant").stream()
+                .filter(invariant -> !rules.contains(invariant))
+                .forEach(rules::add);
+        for (Uml2Element rule : rules) {
             if (!texts.isGuard(rule)) {
                 problems.note(
-                        rule.line(),
+                        rule.place(),
                         "constraint " + rule.label() + " of " + owner.type() + " " + owner.label()
                                 + " is not a guard and is ignored; make it the guard of a transition if it should be one");
             }

@@ -27,12 +27,12 @@ public final class Uml2Dialect implements XmiDialect {
 
     @Override
     public String toString() {
-        return "UML 2 in XMI 2.x (Eclipse UML2, Papyrus, Enterprise Architect, MagicDraw, StarUML, Visual Paradigm)";
+        return "UML 2 in XMI 2.x (Eclipse UML2, Papyrus, Enterprise Architect, MagicDraw, StarUML)";
     }
 
     @Override
     public List<DrawnMachine> read(XmiHead head, XmiStream stream) {
-        Uml2Document document = Uml2Document.read(head, stream);
+        Uml2Document document = Uml2Document.read(head, stream, false);
         return document.machines().stream()
                 .<DrawnMachine>map(machine -> new UmlMachine(
                         machine,

@@ -1,5 +1,7 @@
 package org.evoloop.xmi.uml2;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -11,6 +13,7 @@ import java.util.Set;
 import org.evoloop.xmi.dialect.XmiHead;
 import org.evoloop.xmi.dialect.XmiStream;
 import org.evoloop.xmi.dialect.XmlNode;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What one file says about state machines: the machines, and by id everything that a machine may refer to. Diagrams,
@@ -46,25 +49,36 @@ final class Uml2Document {
             "node", "edge", "group", "structuredNode", "partition", "fragment", "lifeline", "message", "formalGate");
 
     private final String file;
+    private final boolean imported;
     private final String exporter;
     private final Map<String, XmlNode> byId = new HashMap<>();
     private final Set<String> ambiguous = new HashSet<>();
     private final List<Uml2Element> machines = new ArrayList<>();
     private final LooseVertices loose = new LooseVertices();
+    /** The last element of which only the name is kept, and its depth. */
+    private @Nullable XmlNode alone;
 
-    private Uml2Document(XmiHead head, XmiStream stream) {
+    private int aloneDepth;
+
+    private Uml2Document(XmiHead head, XmiStream stream, boolean imported) {
         this.file = stream.file();
+        this.imported = imported;
         this.exporter = head.exporter();
     }
 
-    /** @param stream positioned as {@link XmiHead#read} leaves it */
-    static Uml2Document read(XmiHead head, XmiStream stream) {
-        Uml2Document document = new Uml2Document(head, stream);
+    /**
+     * @param stream positioned as {@link XmiHead#read} leaves it
+     * @param imported whether another file refers to it
+     */
+    static Uml2Document read(XmiHead head, XmiStream stream, boolean imported) {
+        Uml2Document document = new Uml2Document(head, stream, imported);
         document.loose.open(0, head.node());
         boolean more = stream.isStartElement() || stream.nextElementWithin(0);
         while (more) {
             if (isExtension(stream)) {
                 stream.skipElement();
+            } else if (stream.getLocalName().equals("name") && stream.depth() == document.aloneDepth + 1) {
+                document.nameAlone(XmlNode.read(stream, inner -> false).text());
             } else if (stream.attribute("idref").isEmpty()
                     && stream.attribute("href").isEmpty()) {
                 document.element(stream);
@@ -80,7 +94,9 @@ final class Uml2Document {
                 XmlNode.attribute(stream, "xmi:type"), String.valueOf(stream.getNamespaceURI()), stream.getLocalName());
         int depth = stream.depth();
         if (PACKAGES.contains(type)) {
-            loose.open(depth, XmlNode.alone(stream));
+            alone = XmlNode.alone(stream);
+            aloneDepth = depth;
+            loose.open(depth, alone);
         } else if (WHOLE.contains(type) || type.endsWith("Event")) {
             XmlNode node = XmlNode.read(stream, Uml2Document::isUnwanted);
             index(node);
@@ -90,8 +106,20 @@ final class Uml2Document {
         } else if (LooseVertices.isPart(type)) {
             loose.add(depth, XmlNode.read(stream, Uml2Document::isUnwanted));
         } else if (ALONE.contains(type)) {
-            remember(XmlNode.alone(stream));
+            alone = XmlNode.alone(stream);
+            aloneDepth = depth;
+            remember(alone);
         }
+    }
+
+    /** XMI may write a name as an element. */
+    private void nameAlone(String name) {
+        XmlNode unnamed = requireNonNull(alone);
+        List<String> attributes = new ArrayList<>(List.of("name", name));
+        unnamed.attributeNames().forEach(each -> attributes.addAll(List.of(each, unnamed.attribute(each))));
+        XmlNode named = XmlNode.made(unnamed, unnamed.name(), attributes, List.of());
+        byId.replace(named.attribute("xmi:id"), unnamed, named);
+        loose.replace(unnamed, named);
     }
 
     private void takeLoose() {
@@ -132,7 +160,7 @@ final class Uml2Document {
         // StarUML writes the event of a trigger twice, with the same id.
         if (earlier != null
                 && !(earlier.attribute("xmi:type").equals(node.attribute("xmi:type"))
-                        && earlier.attribute("name").equals(node.attribute("name")))) {
+                        && Uml2Element.attribute(earlier, "name").equals(Uml2Element.attribute(node, "name")))) {
             ambiguous.add(id);
         }
     }
@@ -140,6 +168,11 @@ final class Uml2Document {
     /** The file's name in messages. */
     String file() {
         return file;
+    }
+
+    /** Whether another file refers to it, so that messages name it. */
+    boolean isImported() {
+        return imported;
     }
 
     /** Whether the file was written by a tool whose name begins like this. */

@@ -2,6 +2,8 @@ package org.evoloop.xmi.uml2;
 
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
+import org.evoloop.statechart.Place;
 import org.evoloop.xmi.dialect.UmlElement;
 import org.evoloop.xmi.dialect.XmlNode;
 
@@ -40,21 +42,45 @@ record Uml2Element(XmlNode node, Uml2Document document) implements UmlElement {
     /** Its name with single spaces, since some tools break long names; empty if it has none. */
     @Override
     public String name() {
-        String name = node.attribute("name");
-        if (name.isEmpty()) {
-            name = node.child("name").map(XmlNode::text).orElse("");
-        }
-        return name.strip().replaceAll("\\s+", " ");
+        return attribute("name").strip().replaceAll("\\s+", " ");
     }
 
+    /** A property with a plain value, which XMI writes as an attribute or as an element; empty if there is none. */
     String attribute(String name) {
-        return node.attribute(name);
+        return attribute(node, name);
+    }
+
+    static String attribute(XmlNode node, String name) {
+        String value = node.attribute(name);
+        return value.isEmpty()
+                ? node.children(name).stream()
+                        .filter(Uml2Element::isProperty)
+                        .map(XmlNode::text)
+                        .collect(Collectors.joining(" "))
+                : value;
+    }
+
+    /** Whether this is the plain value of a property, and not an element of the model. */
+    static boolean isProperty(XmlNode node) {
+        return node.attributeCount() == 0
+                && node.children().isEmpty()
+                && !node.text().isEmpty();
+    }
+
+    @Override
+    public Place place() {
+        return place(node);
+    }
+
+    /** The place of something in this element. */
+    Place place(XmlNode inner) {
+        return new Place(document.isImported() ? document.file() : "", id(), inner.line());
     }
 
     /** The elements inside this one that have a role; without those it refers to. */
     List<Uml2Element> owned(String role) {
         return node.children(role).stream()
-                .filter(child -> !isReference(child))
+                .filter(child -> !isReference(child) && !isProperty(child))
                 .map(child -> new Uml2Element(child, document))
                 .toList();
     }

@@ -25,7 +25,7 @@ final class Uml2References {
     private static final int MAX_FILES = 50;
 
     private final Problems problems;
-    private final Map<Path, Optional<Uml2Document>> documents = new HashMap<>();
+    private final Map<Path, Uml2Document> documents = new HashMap<>();
 
     Uml2References(Problems problems) {
         this.problems = problems;
@@ -52,7 +52,7 @@ final class Uml2References {
                 byId(owner, role, child.attribute("xmi:idref")).ifPresent(found::add);
             } else if (!child.attribute("href").isEmpty()) {
                 byHref(owner, child).ifPresent(found::add);
-            } else {
+            } else if (!Uml2Element.isProperty(child)) {
                 found.add(new Uml2Element(child, owner.document()));
             }
         }
@@ -71,7 +71,7 @@ final class Uml2References {
         List<Uml2Element> found = all(owner, role);
         if (found.size() > 1) {
             problems.add(
-                    owner.line(),
+                    owner.place(),
                     owner.type() + " " + owner.label() + " has " + found.size() + " elements " + role + "; keep one");
         }
         return found.stream().findFirst();
@@ -81,12 +81,12 @@ final class Uml2References {
         Optional<Uml2Element> found = owner.document().find(id);
         if (found.isEmpty()) {
             problems.add(
-                    owner.line(),
+                    owner.place(),
                     role + " of " + owner.type() + " " + owner.label() + " refers to the unknown id "
                             + Problems.quote(id) + "; export the model again, or correct the id");
         } else if (owner.document().isAmbiguous(id)) {
             problems.add(
-                    owner.line(),
+                    owner.place(),
                     role + " of " + owner.type() + " " + owner.label() + " refers to the id " + Problems.quote(id)
                             + ", which several elements have; give each an id of its own");
             return Optional.empty();
@@ -97,49 +97,60 @@ final class Uml2References {
     private Optional<Uml2Element> byHref(Uml2Element owner, XmlNode reference) {
         String href = reference.attribute("href");
         int hash = href.lastIndexOf('#');
-        Optional<Uml2Element> found = Optional.empty();
-        String reason = "names no file";
+        String wrong = ", which names no file; correct the reference";
         if (hash > 0) {
             try {
-                found = document(owner.document(), href.substring(0, hash))
-                        .flatMap(document -> document.find(href.substring(hash + 1)));
-                reason = "holds no such element of a state machine";
+                Optional<Uml2Element> found =
+                        document(owner.document(), href.substring(0, hash)).find(href.substring(hash + 1));
+                if (found.isPresent()) {
+                    return found;
+                }
+                wrong =
+                        ", which holds no such element of a state machine; correct the reference, or draw the element in"
+                                + " this model";
             } catch (ModelException unreadable) {
-                reason = String.valueOf(unreadable.getMessage());
+                wrong = ": " + unreadable.getMessage();
             }
         }
-        if (found.isEmpty()) {
-            problems.add(
-                    reference.line(),
-                    reference.name() + " of " + owner.type() + " " + owner.label() + " refers to another file, "
-                            + Problems.quote(href) + ", which " + reason
-                            + "; put that file where the reference expects it, or draw the element in this model");
-        }
-        return found;
+        problems.add(
+                owner.place(reference),
+                reference.name() + " of " + owner.type() + " " + owner.label() + " refers to another file, "
+                        + Problems.quote(href) + wrong);
+        return Optional.empty();
     }
 
-    /** @throws ModelException if the file cannot be read */
-    private Optional<Uml2Document> document(Uml2Document home, String href) {
+    /** @throws ModelException if the file cannot be read; the message names it */
+    private Uml2Document document(Uml2Document home, String href) {
+        Path file = resolve(home, href);
+        Path path = file.toAbsolutePath();
+        if (href.startsWith("/") || !Files.isRegularFile(path)) {
+            throw new ModelException(file + ": is not found from " + home.file()
+                    + "; put that file where the reference expects it, or draw the element in this model");
+        }
+        if (!documents.containsKey(path) && documents.size() == MAX_FILES) {
+            throw new ModelException(
+                    file + ": is one of more than " + MAX_FILES + " files; put the elements into fewer files");
+        }
+        return documents.computeIfAbsent(path, any -> read(file));
+    }
+
+    private static Path resolve(Uml2Document home, String href) {
         try {
-            Path file = Path.of(home.file()).toAbsolutePath().normalize();
-            Path path = file.resolveSibling(URLDecoder.decode(href, StandardCharsets.UTF_8))
+            return Path.of(home.file())
+                    .resolveSibling(URLDecoder.decode(href, StandardCharsets.UTF_8))
                     .normalize();
-            if (href.startsWith("/") || !Files.isRegularFile(path)) {
-                throw new ModelException("is not found from " + home.file());
-            }
-            if (!documents.containsKey(path) && documents.size() < MAX_FILES) {
-                documents.put(path, read(path));
-            }
-            return documents.getOrDefault(path, Optional.empty());
         } catch (IllegalArgumentException noPath) {
-            throw new ModelException("is not the path of a file", noPath);
+            throw new ModelException(href + ": is not the path of a file; correct the reference", noPath);
         }
     }
 
-    private static Optional<Uml2Document> read(Path path) {
+    private static Uml2Document read(Path path) {
         try (XmiStream stream = XmiStream.open(path)) {
             XmiHead head = XmiHead.read(stream);
-            return new Uml2Dialect().recognises(head) ? Optional.of(Uml2Document.read(head, stream)) : Optional.empty();
+            if (!new Uml2Dialect().recognises(head)) {
+                throw stream.refuse("found " + head + ", which is not UML 2", "refer to a file of UML 2");
+            }
+            return Uml2Document.read(head, stream, true);
         }
     }
 }

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.evoloop.xmi.dialect.Condition;
 import org.evoloop.xmi.dialect.Problems;
 import org.evoloop.xmi.dialect.XmlNode;
 
@@ -33,7 +34,7 @@ final class Uml2Texts {
                 texts.add(text);
             } else if (!OPAQUE.contains(behavior.type())) {
                 problems.add(
-                        behavior.line(),
+                        behavior.place(),
                         role + " of " + owner.type() + " " + owner.label() + " is a " + behavior.type() + " (id "
                                 + Problems.quote(behavior.id()) + ") without a name; give it one");
             }
@@ -83,7 +84,7 @@ final class Uml2Texts {
         constraints.addAll(references.all(transition, "preCondition"));
         if (constraints.size() > 1) {
             problems.add(
-                    transition.line(),
+                    transition.place(),
                     "transition " + transition.label() + " has " + constraints.size() + " guards; join them into one");
         }
         return constraints.isEmpty() ? "" : guardText(constraints.get(0));
@@ -101,10 +102,7 @@ final class Uml2Texts {
         if (text.isEmpty()) {
             text = constraint.name();
         }
-        if (text.startsWith("[") && text.endsWith("]")) {
-            text = text.substring(1, text.length() - 1).strip();
-        }
-        return text.equalsIgnoreCase("else") ? "else" : text;
+        return Condition.guard(text);
     }
 
     private String specification(Uml2Element constraint) {
@@ -157,7 +155,7 @@ final class Uml2Texts {
 
     private String unknown(Uml2Element value) {
         problems.add(
-                value.line(),
+                value.place(),
                 "value of type " + value.type() + " " + value.label()
                         + " is not supported; write it as an opaque expression");
         return "";

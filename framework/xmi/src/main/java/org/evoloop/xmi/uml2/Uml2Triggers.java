@@ -33,7 +33,7 @@ final class Uml2Triggers {
                 names.add(name);
             } else {
                 problems.add(
-                        trigger.line(),
+                        trigger.place(),
                         "trigger " + trigger.label() + " of " + owner.type() + " " + owner.label()
                                 + " names no event; give it an event or a name");
             }
@@ -97,7 +97,7 @@ final class Uml2Triggers {
             return name;
         }
         problems.add(
-                trigger.line(),
+                trigger.place(),
                 "trigger " + trigger.label() + " receives any event, which is not supported; name the events");
         // Any name will do; the problem has been reported.
         return "any";

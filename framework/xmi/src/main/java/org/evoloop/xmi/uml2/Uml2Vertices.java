@@ -80,7 +80,7 @@ final class Uml2Vertices {
             scope.alias(connection.id(), key.get());
         } else {
             problems.add(
-                    connection.line(),
+                    connection.place(),
                     "connection point reference " + connection.label() + " of state " + state.label()
                             + " does not refer to one entry or exit point of the state's submachine; "
                             + "choose one in the submachine");

@@ -4,6 +4,7 @@ import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.evoloop.statechart.Place;
 import org.evoloop.xmi.dialect.Problems;
 import org.evoloop.xmi.dialect.XmlNode;
 
@@ -76,6 +77,7 @@ final class Uml2Vocabulary {
                                     "connection",
                                     "connectionPoint",
                                     "submachine",
+                                    "stateInvariant",
                                     "isComposite",
                                     "isOrthogonal",
                                     "isSimple",
@@ -106,14 +108,22 @@ final class Uml2Vocabulary {
     static void check(Uml2Element element, Problems problems) {
         String type = element.type().equals("ProtocolState") ? "State" : element.type();
         Set<String> known = BY_TYPE.getOrDefault(type, Set.of());
+        if (!element.node().text().isEmpty()) {
+            refuse(
+                    element,
+                    element.place(),
+                    "text " + Problems.quote(element.node().text()),
+                    problems);
+        }
         for (String name : element.node().attributeNames()) {
             if (name.indexOf(':') < 0 && !isKnown(name, known) && !saysNothing(element.attribute(name))) {
-                refuse(element, element.line(), "attribute " + name, problems);
+                refuse(element, element.place(), "attribute " + name, problems);
             }
         }
         for (XmlNode child : element.node().children()) {
-            if (!isKnown(child.name(), known)) {
-                refuse(element, child.line(), what(child), problems);
+            boolean silent = Uml2Element.isProperty(child) && saysNothing(child.text());
+            if (!isKnown(child.name(), known) && !silent) {
+                refuse(element, element.place(child), what(child), problems);
             }
         }
     }
@@ -139,7 +149,7 @@ final class Uml2Vocabulary {
         return id.isEmpty() ? "" : "(id " + Problems.quote(id) + ")";
     }
 
-    private static void refuse(Uml2Element element, int line, String what, Problems problems) {
-        problems.add(line, what + " of " + element.type() + " " + element.label() + " is not supported; remove it");
+    private static void refuse(Uml2Element element, Place place, String what, Problems problems) {
+        problems.add(place, what + " of " + element.type() + " " + element.label() + " is not supported; remove it");
     }
 }

@@ -78,7 +78,7 @@ class ScxmlReadingTest {
                         <state id='s'>
                           <transition event='a.b.*' cond='x' target='s'/><transition event='a' target='s'/>
                           <transition event='ab c' target='s'/><transition event='*' target='s'/>
-                          <onentry><raise event='a.x'/><raise event='d'/></onentry>
+                          <onentry><send event='a.x'/><send event='d'/></onentry>
                         </state>""")))
                 .contains("s -> s : a.b [x]", "s -> s : a, a.b, a.x", "s -> s : ab, c", "s -> s : *, d");
     }
@@ -106,15 +106,15 @@ class ScxmlReadingTest {
                         <datamodel><data id='n' expr='1'/><data id='m'>[1, 2]</data></datamodel>
                         <script>start()</script>
                         <state id='s'>
-                          <onentry><assign location='n' expr='n + 1'/><raise event='e'/></onentry>
-                          <onentry><send event='tick' delay='2s'/></onentry>
+                          <onentry><assign location='n' expr='n + 1'/><send event='e'/></onentry>
+                          <onentry><send event='tick' target='http://x'/></onentry>
                           <onexit><if cond='n > 1'><log expr='n'/><else/><script>f()</script></if></onexit>
                           <invoke type='scxml' src='other.scxml'/>
                           <transition event='e'><script>g()</script></transition>
                         </state>""")))
                 .containsExactly(
                         "INITIAL #1",
-                        "state s s entry[n = n + 1, raise e, send(event='tick', delay='2s')]"
+                        "state s s entry[n = n + 1, send(event='e'), send(event='tick', target='http://x')]"
                                 + " exit[if(cond='n > 1') {log(expr='n'); else; f()}]"
                                 + " do[invoke(type='scxml', src='other.scxml')]",
                         "  s -> s : e / g() INTERNAL",

@@ -201,6 +201,9 @@ class Uml14ReadingTest {
             delimiter = '|',
             value = {
                 "<UML:Transition.trigger><UML:Event xmi.idref='no'/></UML:Transition.trigger> | trigger of Transition '' (id 't') refers to the unknown id 'no'",
+                "<UML:Transition.trigger>go</UML:Transition.trigger> | text 'go' in Transition.trigger of Transition '' (id 't') is not supported",
+                "go                                                | text 'go' of Transition '' (id 't') is not supported; remove it",
+                "<UML:ModelElement.name>go</UML:ModelElement.name> | transition 'go' (id 't') has no trigger, so that it is taken as soon as state",
                 "<UML:Transition.trigger><UML:Event href='x.xmi'/></UML:Transition.trigger> | refers to another file, 'x.xmi'; put the element into this model",
                 "<UML:Transition.trigger><UML:Event xmi.id='e'/></UML:Transition.trigger> | the Event '' (id 'e') that triggers Transition '' (id 't') has no name; give it one",
                 "<UML:Transition.target><UML:SimpleState xmi.idref='a'/></UML:Transition.target> | transition '' (id 't') has more than one target",

@@ -23,8 +23,10 @@ class Uml2RefusalTest {
                         + " | State 'B' (id 'a') has the id of another vertex; give each an id of its own",
                 "<subvertex xmi:type='uml:Pseudostate' xmi:id='a' kind='odd'/> | pseudostate '' (id 'a') is of the unknown kind 'odd'",
                 "<subvertex xmi:type='uml:Odd' xmi:id='a' name='A'/> | vertex 'A' (id 'a') is of type 'Odd', which is not supported",
-                "<subvertex xmi:type='uml:State' xmi:id='a' name='A'><stateInvariant xmi:id='i'/></subvertex>"
-                        + " | element stateInvariant (id 'i') of State 'A' (id 'a') is not supported; remove it",
+                "<subvertex xmi:type='uml:State' xmi:id='a' name='A'><extension xmi:id='i'/></subvertex>"
+                        + " | element extension (id 'i') of State 'A' (id 'a') is not supported; remove it",
+                "<subvertex xmi:type='uml:State' xmi:id='a' name='A'>warm</subvertex>"
+                        + " | text 'warm' of State 'A' (id 'a') is not supported; remove it",
                 "<subvertex xmi:type='uml:State' xmi:id='a' name='A' redefinedState='b'/>"
                         + " | attribute redefinedState of State 'A' (id 'a') is not supported; remove it",
                 "<subvertex xmi:type='uml:State' xmi:id='a' name='A' submachine='m'/>"
@@ -32,9 +34,9 @@ class Uml2RefusalTest {
                 "<subvertex xmi:type='uml:State' xmi:id='a' name='A' submachine='no'/>"
                         + " | submachine of State 'A' (id 'a') refers to the unknown id 'no'",
                 "<subvertex xmi:type='uml:State' xmi:id='a' name='A'><submachine href='other.uml#s'/></subvertex>"
-                        + " | refers to another file, 'other.uml#s', which is not found from F.xml; put that file",
+                        + " | refers to another file, 'other.uml#s': other.uml: is not found from F.xml; put that file",
                 "<subvertex xmi:type='uml:State' xmi:id='a' name='A'><submachine href='http://x.y/z.uml#s'/></subvertex>"
-                        + " | refers to another file, 'http://x.y/z.uml#s', which is not found",
+                        + " | refers to another file, 'http://x.y/z.uml#s': http:/x.y/z.uml: is not found",
                 "<subvertex xmi:type='uml:State' xmi:id='a' name='A'><connection xmi:id='c' entry='a'/></subvertex>"
                         + " | connection point reference '' (id 'c') of state 'A' (id 'a') does not refer to one entry or exit point",
             })
@@ -53,6 +55,10 @@ class Uml2RefusalTest {
                 "''             | <trigger xmi:id='x' event='any'/>| trigger '' (id 'x') receives any event, which is not supported; name the events",
                 "''             | <guard xmi:id='g1' name='x'/><guard xmi:id='g2' name='y'/> | transition '' (id 't') has 2 guards; join them into one",
                 "''             | <guard xmi:id='g'><specification xmi:type='uml:InstanceValue' xmi:id='v'/></guard> | value of type InstanceValue",
+                "''             | <trigger xmi:id='x'>clean</trigger> | text 'clean' of Trigger '' (id 'x') is not supported; remove it",
+                "''             | <trigger>clean</trigger>        | trigger of Transition '' (id 't') refers to the unknown id 'clean'",
+                "name='clean'   | ''                              | transition 'clean' (id 't') has no trigger, so that it is taken as soon as state 'A' (id 'a')"
+                        + " is done, and its name is not an event; give it a trigger with the event 'clean', or remove the name",
                 "''             | <effect xmi:type='uml:Activity' xmi:id='f'><node xmi:id='n'/></effect> | effect of Transition '' (id 't') is a Activity (id 'f') without a name; give it one",
                 "''             | <postCondition xmi:id='p'/>     | element postCondition (id 'p') of Transition",
                 "''             | <target xmi:idref='a'/>         | transition '' (id 't') has more than one target; draw it",

@@ -102,8 +102,8 @@ class Uml2TransitionTest {
         assertThat(ChartText.of(transition(
                         "guard='g'",
                         "<ownedRule xmi:type='uml:Constraint' xmi:id='g'>"
-                                + "<specification xmi:type='uml:LiteralBoolean' value='true'/></ownedRule>")))
-                .contains("a -> b : [true]");
+                                + "<specification xmi:type='uml:LiteralBoolean' value='false'/></ownedRule>")))
+                .contains("a -> b : [false]");
     }
 
     @ParameterizedTest
