@@ -32,7 +32,12 @@ public record ServiceOptions(
                     + "nothing is recorded).");
 
     /** The options of a program. */
-    public static final Options OPTIONS = Options.of(START, NAME, JOURNAL);
+    public static final Options OPTIONS = Options.of(START, NAME, JOURNAL).checking((settings, mistakes) -> settings.get(
+                    NAME)
+            .ifPresent(name -> mistakes.tried(
+                    "name",
+                    IllegalArgumentException.class::isInstance,
+                    () -> Instances.socket(new Instances(System.getenv()).directory(), name))));
 
     /**
      * Options of these values.
