@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import org.evoloop.converter.ConverterStatus;
 import org.evoloop.converter.ConverterStatus.ConversionTime;
 import org.evoloop.converter.HistoryEntry;
+import org.evoloop.converter.Trouble;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.LoopState;
@@ -23,6 +24,8 @@ final class StatusText {
     private static final DateTimeFormatter TIME_OF_DAY = DateTimeFormatter.ofPattern("HH:mm:ss.SSS", Locale.ROOT);
 
     private static final DateTimeFormatter SECOND = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm:ss", Locale.ROOT);
+
+    private static final int MOST_TROUBLES = 5;
 
     private StatusText() {}
 
@@ -40,6 +43,9 @@ final class StatusText {
             line(out, "in doubt", status.doubt());
         }
         line(out, "now", now(status));
+        if (!status.timers().isEmpty()) {
+            line(out, "timers", timers(status));
+        }
         ConverterStatus.LinkStatus link = status.link();
         if (link != null) {
             if (!link.up()) {
@@ -93,6 +99,12 @@ final class StatusText {
         return Names.inOneLine(shown);
     }
 
+    private static String timers(ConverterStatus status) {
+        return status.timers().stream()
+                .map(ConverterStatus.RunningTimer::describe)
+                .collect(Collectors.joining(", "));
+    }
+
     private static String now(ConverterStatus status) {
         if (status.loop() != LoopState.RUNNING) {
             return "events are refused until start";
@@ -130,20 +142,16 @@ final class StatusText {
     }
 
     private static String trouble(ConverterStatus status) {
-        List<String> found = new ArrayList<>();
-        for (ComponentStatus component : status.components()) {
-            if (component.activity() == ComponentStatus.Activity.STUCK) {
-                found.add(component.name() + " is stuck");
-            }
-        }
-        long failures = status.components().stream()
-                        .mapToLong(ComponentStatus::failures)
-                        .sum()
-                + status.faults().stream()
-                        .mapToLong(ConverterStatus.Fault::failures)
-                        .sum();
-        if (failures > 0) {
-            found.add(counted(failures, "failure"));
+        // Those of link and record have lines of their own.
+        List<String> found = status.troubles().stream()
+                .filter(trouble ->
+                        !trouble.part().equals(Trouble.LINK) && !trouble.part().equals(Trouble.RECORD))
+                .map(Trouble::words)
+                .collect(Collectors.toCollection(ArrayList::new));
+        if (found.size() > MOST_TROUBLES) {
+            int more = found.size() - MOST_TROUBLES;
+            found.subList(MOST_TROUBLES, found.size()).clear();
+            found.add(more + " more");
         }
         if (status.events().failed() > 0) {
             found.add(counted(status.events().failed(), "event") + " failed");
@@ -151,7 +159,7 @@ final class StatusText {
         if (status.queue().dropped() > 0) {
             found.add(counted(status.queue().dropped(), "event") + " dropped");
         }
-        return found.isEmpty() ? "" : String.join(", ", found) + "; see status --all and history";
+        return found.isEmpty() ? "" : String.join("; ", found) + "; see status --all and history";
     }
 
     private static String counted(long count, String what) {

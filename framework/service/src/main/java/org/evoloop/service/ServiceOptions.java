@@ -14,10 +14,14 @@ import org.jspecify.annotations.Nullable;
  * @param start whether the loop is opened at once, and the end of standard input is ignored
  * @param name the name under which {@code ctl} reaches it; null if it has no control socket
  * @param journal the directory in which its converter keeps its journal; null if it keeps none
+ * @param onTrouble the command of the POSIX shell that is run when something has gone wrong; null for none
  * @since 0.1
  */
 public record ServiceOptions(
-        boolean start, @Nullable String name, @Nullable Path journal) {
+        boolean start,
+        @Nullable String name,
+        @Nullable Path journal,
+        @Nullable String onTrouble) {
     private static final Option<Boolean> START =
             Option.flag("start", "Starts converting at once, and keeps running when the standard input ends.");
     private static final Option<String> NAME = Option.value(
@@ -31,8 +35,20 @@ public record ServiceOptions(
             "Records the converter's inputs in this directory, and resumes where the previous process ended (default: "
                     + "nothing is recorded).");
 
+    private static final Option<String> ON_TROUBLE = Option.value(
+            "on-trouble",
+            "COMMAND",
+            "Runs this shell command when something has gone wrong, with the words in EVOLOOP_TROUBLE (default: nothing "
+                    + "is run).",
+            command -> {
+                if (command.isBlank()) {
+                    throw new IllegalArgumentException("the command is empty; leave the option out to run nothing");
+                }
+                return command;
+            });
+
     /** The options of a program. */
-    public static final Options OPTIONS = Options.of(START, NAME, JOURNAL).checking((settings, mistakes) -> settings.get(
+    public static final Options OPTIONS = Options.of(START, NAME, JOURNAL, ON_TROUBLE).checking((settings, mistakes) -> settings.get(
                     NAME)
             .ifPresent(name -> mistakes.tried(
                     "name",
@@ -50,9 +66,12 @@ public record ServiceOptions(
         }
     }
 
-    /** The options of an ordinary program with a console: no automatic start, no control socket, no journal. */
+    /**
+     * The options of an ordinary program with a console: no automatic start, no control socket, no journal,
+     * and nothing that is run on trouble.
+     */
     public static ServiceOptions none() {
-        return new ServiceOptions(false, null, null);
+        return new ServiceOptions(false, null, null, null);
     }
 
     /** The options given to a program. */
@@ -60,12 +79,13 @@ public record ServiceOptions(
         return new ServiceOptions(
                 settings.isOn(START),
                 settings.get(NAME).orElse(null),
-                settings.get(JOURNAL).orElse(null));
+                settings.get(JOURNAL).orElse(null),
+                settings.get(ON_TROUBLE).orElse(null));
     }
 
     /** A copy for a program that opens its loop at once, and continues when its standard input ends. */
     public ServiceOptions withStart() {
-        return new ServiceOptions(true, name, journal);
+        return new ServiceOptions(true, name, journal, onTrouble);
     }
 
     /**
@@ -74,6 +94,6 @@ public record ServiceOptions(
      * @throws IllegalArgumentException if it is not a name
      */
     public ServiceOptions withName(String instance) {
-        return new ServiceOptions(start, instance, journal);
+        return new ServiceOptions(start, instance, journal, onTrouble);
     }
 }
