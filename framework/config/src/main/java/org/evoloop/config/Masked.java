@@ -6,7 +6,7 @@ import java.util.regex.Pattern;
 final class Masked {
     /** A user and a password before a host; a port is none. */
     private static final Pattern LOGIN =
-            Pattern.compile("([A-Za-z][A-Za-z0-9+.-]*://[^\\s/?#@:'\"]*):(?![0-9]{1,5}(?:[/?#\\s]|$))\\S*@");
+            Pattern.compile("([A-Za-z][A-Za-z0-9+.-]*:/+[^\\s/?#@:'\"]*):(?![0-9]{1,5}(?:[/?#\\s]|$))\\S*@");
 
     private Masked() {}
 

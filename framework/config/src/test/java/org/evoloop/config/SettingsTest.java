@@ -159,8 +159,13 @@ class SettingsTest {
         assertThat(answer(FanOptions.read("--simulate", "--port", plain, "--print-config")))
                 .contains("port: '" + plain + "'");
         for (String[] wrong : new String[][] {
-            {url}, {"--speed", url}, {"--sped", url}, {"--simulate=" + url}, {"--config", fan("speed: " + url).toString()},
-            {"--config", fan("prot: " + url + "\nspeed: 3\n" + url + "\n").toString()}, {"--config", url}
+            {url},
+            {"--speed", url},
+            {"--sped", url},
+            {"--simulate=" + url},
+            {"--config", fan("speed: " + url).toString()},
+            {"--config", fan("prot: " + url + "\nspeed: 3\n" + url + "\n").toString()},
+            {"--config", url}
         }) {
             assertThatThrownBy(() -> FanOptions.read(wrong))
                     .isInstanceOf(ConfigException.class)
