@@ -76,8 +76,8 @@ class ChainTest {
 
     /** What a reader, a check of the options and a start say. */
     private String refused() {
-        JournalException checked = catchThrowableOfType(JournalException.class, () -> Journal.in(journal)
-                .check(Robot.MODELS));
+        JournalException checked = catchThrowableOfType(
+                JournalException.class, () -> Journal.in(journal).check(Robot.MODELS));
         JournalException read = catchThrowableOfType(JournalException.class, this::records);
         JournalException started = catchThrowableOfType(JournalException.class, this::started);
         assertThat(read).isNotNull();
