@@ -18,7 +18,7 @@ public final class Main {
         CommandLine line = commandLine();
         line.setOut(new PrintWriter(System.out, true, StandardCharsets.UTF_8));
         line.setErr(new PrintWriter(System.err, true, StandardCharsets.UTF_8));
-        System.exit(line.execute(arguments));
+        System.exit(UsersMistakes.execute(line, arguments));
     }
 
     static CommandLine commandLine() {

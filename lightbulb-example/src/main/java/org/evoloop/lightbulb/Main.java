@@ -5,9 +5,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.check.timing.TimeRules;
 import org.evoloop.check.timing.TimeWatch;
+import org.evoloop.config.Mistakes;
 import org.evoloop.config.Option;
 import org.evoloop.config.Options;
 import org.evoloop.config.Settings;
@@ -44,9 +46,7 @@ public final class Main {
                             + "start, then switch (the wall switch; while the lamp is on, twice within 2 s for the second "
                             + "light), status, history, exit; help lists all commands.")
             .and(Options.of(MODELS), ServiceOptions.OPTIONS, PageOptions.OPTIONS, MqttOptions.OPTIONS, Wiring.OPTIONS)
-            .checking((settings, mistakes) -> settings.get(MODELS)
-                    .ifPresent(file ->
-                            mistakes.tried("models", ModelException.class::isInstance, () -> Models.read(file))));
+            .checking(Main::check);
 
     /** Both models, all machines of their file, and the rules about time in the properties file beside it. */
     private record Models(XmiFile machines, ModelPair pair, TimeRules rules) {
@@ -70,6 +70,52 @@ public final class Main {
         }
     }
 
+    /** What a start would refuse, but for what only devices, and other programs, can tell. */
+    private static void check(Settings settings, Mistakes mistakes) {
+        if (!settings.isOnlyShown() && settings.get(MODELS).isEmpty()) {
+            return;
+        }
+        ModelPair models = mistakes.tried("models", Main::isUsersMistake, () -> {
+            ModelPair read = Models.read(file(settings)).pair();
+            if (settings.isOnlyShown()) {
+                try (Clock clock = new SystemClock();
+                        SystemEventConverter converter =
+                                converter(read, new PushMonitor("WallSwitch"), new Lamp(), clock)) {
+                    converter.build();
+                }
+            }
+            return read;
+        });
+        Path journal = ServiceOptions.of(settings).journal();
+        if (settings.isOnlyShown() && models != null && journal != null) {
+            mistakes.tried("journal", Main::isUsersMistake, () -> {
+                Journal.in(journal).check(models);
+                return journal;
+            });
+        }
+    }
+
+    private static boolean isUsersMistake(Exception problem) {
+        return problem instanceof ModelException
+                || problem instanceof JournalException
+                || problem instanceof IllegalArgumentException;
+    }
+
+    private static Path file(Settings settings) {
+        return settings.get(MODELS).orElseGet(() -> ModelFiles.find("models/light-bulb.xml", Main.class));
+    }
+
+    /** Without its wires and its journal. */
+    private static SystemEventConverter converter(
+            ModelPair models, PushMonitor wallSwitch, Lamp lamp, Clock clock) {
+        SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
+        converter.addMonitor(wallSwitch);
+        converter.addExecute(new LampExecute(lamp));
+        converter.addKnowledge(new LampKnowledge(models, lamp));
+        converter.addKnowledgeFactory(other -> new LampKnowledge(other, lamp));
+        return converter;
+    }
+
     public static void main(String[] arguments) {
         try {
             System.exit(run(OPTIONS.read(List.of(arguments), System.getenv())));
@@ -80,12 +126,12 @@ public final class Main {
     }
 
     private static int run(Settings settings) throws IOException {
-        if (settings.answers(System.out)) {
-            return 0;
+        OptionalInt answered = settings.answer(System.out, System.err);
+        if (answered.isPresent()) {
+            return answered.getAsInt();
         }
-        Path file = settings.get(MODELS).orElseGet(() -> ModelFiles.find("models/light-bulb.xml", Main.class));
         ServiceOptions unattended = ServiceOptions.of(settings);
-        Models read = Models.read(file);
+        Models read = Models.read(file(settings));
         ModelPair models = read.pair();
 
         Lamp lamp = new Lamp();
@@ -93,12 +139,8 @@ public final class Main {
         try (Service service = Service.open(unattended);
                 Clock clock = new SystemClock();
                 Wiring wiring = new Wiring(settings)) {
-            SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
-            converter.addMonitor(wallSwitch);
-            converter.addExecute(new LampExecute(lamp));
+            SystemEventConverter converter = converter(models, wallSwitch, lamp, clock);
             wiring.connect(converter, lamp, clock);
-            converter.addKnowledge(new LampKnowledge(models, lamp));
-            converter.addKnowledgeFactory(other -> new LampKnowledge(other, lamp));
             converter.watch((running, at, nanos) ->
                     running.equals(models) ? new TimeWatch(read.rules(), running, at, nanos) : null);
             Path journal = unattended.journal();

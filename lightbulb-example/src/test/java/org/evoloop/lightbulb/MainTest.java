@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
@@ -198,6 +199,55 @@ class MainTest {
         }
         assertThat(lamp.inputReader(StandardCharsets.UTF_8).lines()).contains(" switch command");
         assertThat(lamp.waitFor()).isZero();
+    }
+
+    /** All but what devices and other programs say. */
+    @Test
+    void printingTheOptionsFindsWhatAStartWouldRefuse(@TempDir File folder) throws Exception {
+        File journal = new File(folder, "journal");
+        try (Writer keyboard = program(ROOT, "--journal", journal.toString()).outputWriter(StandardCharsets.UTF_8)) {
+            keyboard.write("start\nexit\n");
+        }
+        assertThat(Objects.requireNonNull(program).waitFor()).isZero();
+        Process sound = program(ROOT, "--journal", journal.toString(), "--print-config");
+        assertThat(sound.errorReader(StandardCharsets.UTF_8).lines()).isEmpty();
+        assertThat(sound.waitFor()).isZero();
+
+        Files.move(
+                new File(journal, "0000000001.journal").toPath(), new File(journal, "0000000002.journal").toPath());
+        assertSame("--journal", journal.toString());
+        assertSame("--journal", folder + "/journal/0000000002.journal");
+        assertSame("--name", "n".repeat(120));
+        assertSame("--page", "no.such.host.invalid:80");
+        assertSame("--page", "0", "--page-token-file", folder.toString());
+        File models = new File(folder, "models.xml");
+        Files.writeString(
+                models.toPath(),
+                Files.readString(ROOT.toPath().resolve("models/light-bulb.xml")).replace("\"switch\"", "\"swap\""));
+        assertSame("--models", models.toString());
+    }
+
+    /** A start and its printed options are refused alike. */
+    private void assertSame(String... options) throws Exception {
+        List<String> printed = new ArrayList<>(List.of(options));
+        printed.add("--print-config");
+        assertThat(refusal(program(ROOT, printed.toArray(String[]::new)))).isEqualTo(refusal(program(ROOT, options)));
+    }
+
+    @Test
+    void aFullDiskIsAnError() throws Exception {
+        for (String asked : List.of("--print-config", "--help")) {
+            Process lamp = new ProcessBuilder(command(asked))
+                    .directory(ROOT)
+                    .redirectOutput(new File("/dev/full"))
+                    .start();
+            program = lamp;
+            assertThat(lamp.errorReader(StandardCharsets.UTF_8).lines())
+                    .singleElement()
+                    .asString()
+                    .startsWith("error: standard output: the result could not be written in full");
+            assertThat(lamp.waitFor()).isEqualTo(1);
+        }
     }
 
     private static void assertRefused(Process lamp, String error) throws Exception {

@@ -170,6 +170,12 @@ final class ConverterOptions {
         }
     }
 
+    /** The models, once the options have been checked; null if they cannot be used. */
+    @Nullable
+    RobotModels models() {
+        return read;
+    }
+
     private void checkWith(RobotModels models, Mistakes mistakes) {
         if (spotWaitSeconds != null && !models.hasSpotWait()) {
             mistakes.add("--spot-wait says how long SpotWait lasts, but no state of the new model is left by timeout; "

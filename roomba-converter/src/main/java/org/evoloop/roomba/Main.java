@@ -45,7 +45,7 @@ public final class Main {
         boolean plain = arguments.length == 0 || arguments[0].startsWith("-");
         return plain && Collections.disjoint(List.of(arguments), HELP)
                 ? converterAlone(arguments)
-                : everything().execute(arguments);
+                : UsersMistakes.execute(everything(), arguments);
     }
 
     /**
@@ -63,14 +63,13 @@ public final class Main {
             settings = command.configure(line, List.of(arguments));
         } catch (ConfigException mistakes) {
             if (namesACommand(arguments)) {
-                return everything().execute(arguments);
+                return UsersMistakes.execute(everything(), arguments);
             }
             line.getErr().println("error: " + mistakes.getMessage());
             return CommandLine.ExitCode.USAGE;
         }
-        return settings.answers(System.out)
-                ? CommandLine.ExitCode.OK
-                : line.execute(settings.asArguments().toArray(String[]::new));
+        return settings.answer(System.out, System.err)
+                .orElseGet(() -> line.execute(settings.asArguments().toArray(String[]::new)));
     }
 
     private static boolean namesACommand(String... arguments) {

@@ -2,6 +2,7 @@ package org.evoloop.roomba;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
@@ -15,6 +16,7 @@ import org.evoloop.config.Options;
 import org.evoloop.config.Settings;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
+import org.evoloop.journal.Journal;
 import org.evoloop.link.Link;
 import org.evoloop.link.SerialLink;
 import org.evoloop.link.SerialSettings;
@@ -25,6 +27,7 @@ import org.evoloop.page.Page;
 import org.evoloop.page.PageOptions;
 import org.evoloop.page.Picture;
 import org.evoloop.program.CommandOptions;
+import org.evoloop.roomba.session.RoombaSession;
 import org.evoloop.roomba.session.SessionOptions;
 import org.evoloop.roomba.simulator.SimulatorServer;
 import org.evoloop.roomba.simulator.WorldCommands;
@@ -117,6 +120,9 @@ final class RoombaCommand implements Callable<Integer> {
                 .checking((given, mistakes) -> {
                     line.parseArgs(given.asArguments().toArray(String[]::new));
                     check(given.isOnlyShown(), mistakes);
+                    if (given.isOnlyShown()) {
+                        checkStart(ServiceOptions.of(given).journal(), mistakes);
+                    }
                 })
                 .read(arguments, System.getenv());
         return settings;
@@ -139,6 +145,32 @@ final class RoombaCommand implements Callable<Integer> {
                 "room", Main::isUsersMistake, () -> RoomFile.named(named == null ? RoomFile.LIVING_ROOM_NAME : named));
         world = read == null ? Room.OPEN : read;
         options.check(simulate || undecided, mistakes);
+    }
+
+    /** What a start would refuse besides, but for what only the robot and other programs can tell. */
+    private void checkStart(@Nullable Path journal, Mistakes mistakes) {
+        mistakes.tried("mode-offset", Main::isUsersMistake, () -> robotOptions(pace()));
+        RobotModels models = options.models();
+        if (models == null || mistakes.tried("models", Main::isUsersMistake, this::builtWithoutRobot) == null) {
+            return;
+        }
+        if (journal != null) {
+            mistakes.tried("journal", Main::isUsersMistake, () -> {
+                Journal.in(journal).check(models.pair());
+                return journal;
+            });
+        }
+    }
+
+    private RobotModels builtWithoutRobot() {
+        double pace = pace();
+        try (Clock clock = new SystemClock(pace);
+                RoombaConverter built = RoombaConverter.build(
+                        config(clock, pace),
+                        new RoombaSession(cable("none"), clock, sessionOptions(pace)),
+                        options.read(pace, Optional.empty(), null))) {
+            return built.models();
+        }
     }
 
     @Override

@@ -112,6 +112,45 @@ class ConfigTest {
         }
     }
 
+    /** What is no password in an address is shown as it is, so that the output is the same setting. */
+    @Test
+    void aCamerasAddressWithoutAPasswordIsShownAsItIs() throws Exception {
+        Program.Result result = Program.run(folder, "--camera", "http://camera:8080/feed@2x", "--print-config");
+        assertThat(result.out()).contains("camera: 'http://camera:8080/feed@2x'");
+        assertThat(result.status()).isZero();
+    }
+
+    @Test
+    void aJournalThatCannotBeContinuedIsFoundWithoutAStart() throws Exception {
+        Path none = Files.createDirectory(folder.resolve("journal"));
+        Files.writeString(none.resolve("0000000001.journal"), "no segment of a journal");
+        Path file = file("simulate: true\njournal: journal\n");
+        Program.Result result = Program.run(folder, "--config", file.toString(), "--print-config");
+        assertThat(result.err())
+                .contains(file + ":2: " + none.resolve("0000000001.journal") + ", byte 0: it does not begin with EVOLOOPJ");
+        assertThat(result.status()).isEqualTo(2);
+    }
+
+    /** A start builds the converter before it contacts the robot; printing the options does so, too. */
+    @Test
+    void whatBuildingRefusesIsFoundWithoutAStart() throws Exception {
+        for (String[] given : new String[][] {{"--mode-offset", "7"}, {"--name", "n".repeat(120)}}) {
+            List<String> arguments = new ArrayList<>(List.of(given));
+            arguments.add("--simulate");
+            Program.Result started = Program.run(folder, arguments.toArray(String[]::new));
+            arguments.add("--print-config");
+            Program.Result printed = Program.run(folder, arguments.toArray(String[]::new));
+            assertThat(printed.err()).isNotEmpty().isEqualTo(started.err());
+            assertThat(printed.status()).isEqualTo(2);
+            assertThat(started.status()).isEqualTo(2);
+        }
+        Path broken = Files.writeString(folder.resolve("cleaning-robot.properties.txt"), "no property at all\n");
+        Files.copy(ROOT.resolve("models/cleaning-robot.xml"), folder.resolve("cleaning-robot.xml"));
+        Program.Result printed = Program.run(folder, "--models", "cleaning-robot.xml", "--print-config");
+        assertThat(printed.err()).contains(broken.getFileName().toString());
+        assertThat(printed.status()).isEqualTo(2);
+    }
+
     private static String withoutOrigins(String printed) {
         return printed.replaceAll("(?m)  +# .*$", "");
     }

@@ -50,7 +50,7 @@ public final class Mistakes {
 
     /** Adds a mistake at a place. */
     void at(Origin place, String mistake) {
-        found.add(new Mistake(place, place.describe(mistake)));
+        found.add(new Mistake(place, Masked.urls(place.describe(mistake))));
     }
 
     /** Adds a mistake in one option's value: nothing else about this option is reported. */

@@ -13,7 +13,7 @@ import org.evoloop.statemachine.Names;
  * The options of a program, or of a part of one, and the checks across them.
  *
  * <p>Besides them every program has {@code --config FILE}, which names a file with some of them, {@code --print-config}
- * and {@code --help}; {@link Settings#answers} answers the latter two.
+ * and {@code --help}; {@link Settings#answer} handles the latter two.
  *
  * <p>Threading: immutable, if the checks are.
  *

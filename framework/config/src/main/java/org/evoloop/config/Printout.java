@@ -67,7 +67,7 @@ final class Printout {
         Path here = Path.of("").toAbsolutePath();
         List<String> texts = setting.texts().stream()
                 .map(text -> setting.origin().isFile() ? text : option.placed(here, text))
-                .map(text -> scalar(option.shown(text)))
+                .map(text -> scalar(Masked.urls(option.shown(text))))
                 .toList();
         return texts.size() == 1 ? texts.get(0) : texts.stream().collect(Collectors.joining(", ", "[", "]"));
     }

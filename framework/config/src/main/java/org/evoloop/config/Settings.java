@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Function;
 
@@ -58,18 +59,23 @@ public final class Settings {
     /**
      * Answers {@code --help} and {@code --print-config}.
      *
-     * @return whether one of them was given; then the program has nothing else to do
+     * @return if one of them was given, the exit status of the program, which has nothing else to do: 0, or 1 if the
+     *     answer could not be written in full, as to a full disk
      */
-    public boolean answers(PrintStream out) {
+    public OptionalInt answer(PrintStream out, PrintStream err) {
         if (isOn(Options.HELP)) {
             out.print(new Help(options));
-            return true;
-        }
-        if (isOnlyShown()) {
+        } else if (isOnlyShown()) {
             out.print(new Printout(options, this));
-            return true;
+        } else {
+            return OptionalInt.empty();
         }
-        return false;
+        if (out.checkError()) {
+            err.println("error: standard output: the result could not be written in full; free some space there, or"
+                    + " write it elsewhere");
+            return OptionalInt.of(1);
+        }
+        return OptionalInt.of(0);
     }
 
     /** All given options, as a command line: {@code --NAME=VALUE}, and {@code --NAME} for a flag that is on. */

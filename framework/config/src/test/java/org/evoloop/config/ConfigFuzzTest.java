@@ -39,7 +39,7 @@ class ConfigFuzzTest {
 
     private static String printed(Settings settings) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
-        settings.answers(new PrintStream(out, true, StandardCharsets.UTF_8));
+        settings.answer(new PrintStream(out, true, StandardCharsets.UTF_8), System.err);
         return out.toString(StandardCharsets.UTF_8);
     }
 

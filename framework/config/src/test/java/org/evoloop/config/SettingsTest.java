@@ -1,8 +1,10 @@
 package org.evoloop.config;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.ByteArrayOutputStream;
+import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
@@ -23,8 +25,8 @@ class SettingsTest {
 
     private static String answer(Settings settings) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
-        assertThat(settings.answers(new PrintStream(out, true, StandardCharsets.UTF_8)))
-                .isTrue();
+        assertThat(settings.answer(new PrintStream(out, true, StandardCharsets.UTF_8), System.err))
+                .hasValue(0);
         return out.toString(StandardCharsets.UTF_8);
     }
 
@@ -127,6 +129,47 @@ class SettingsTest {
                 .startsWith("usage: fan [--start] [--simulate] [--port PATH]")
                 .contains("Runs a fan.", "--breeze-at TIME", "--config FILE", "--print-config")
                 .contains("Exit status");
-        assertThat(FanOptions.read("--simulate").answers(System.out)).isFalse();
+        assertThat(FanOptions.read("--simulate").answer(System.out, System.err)).isEmpty();
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void aFullDiskIsAnError() throws IOException {
+        for (String asked : List.of("--help", "--print-config")) {
+            ByteArrayOutputStream err = new ByteArrayOutputStream();
+            try (PrintStream full = new PrintStream(new FileOutputStream("/dev/full"), false, StandardCharsets.UTF_8)) {
+                assertThat(FanOptions.read("--simulate", asked)
+                                .answer(full, new PrintStream(err, true, StandardCharsets.UTF_8)))
+                        .hasValue(1);
+            }
+            assertThat(err.toString(StandardCharsets.UTF_8))
+                    .startsWith("error: standard output: the result could not be written in full; ")
+                    .hasLineCount(1);
+        }
+    }
+
+    /** A password in a URL is printed nowhere, whatever the option and the mistake; a port is no password. */
+    @Test
+    void noPasswordInAUrlIsPrinted() throws IOException {
+        String url = "mqtt://me:s3cr/e@t@host:1883/a";
+        assertThat(answer(FanOptions.read("--port", url, "--print-config")))
+                .contains("port: 'mqtt://me:***@host:1883/a'")
+                .doesNotContain("s3cr");
+        String plain = "http://host:8080/feed@2x";
+        assertThat(answer(FanOptions.read("--port", plain, "--print-config")))
+                .contains("port: '" + plain + "'");
+        for (String[] wrong : new String[][] {
+            {url},
+            {"--speed", url},
+            {"--sped", url},
+            {"--simulate=" + url},
+            {"--config", fan("speed: " + url).toString()},
+            {"--config", fan("prot: " + url + "\nspeed: 3\n" + url + "\n").toString()},
+            {"--config", url}
+        }) {
+            assertThatThrownBy(() -> FanOptions.read(wrong))
+                    .isInstanceOf(ConfigException.class)
+                    .hasMessageNotContaining("s3cr");
+        }
     }
 }

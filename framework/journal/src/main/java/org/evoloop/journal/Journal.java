@@ -3,6 +3,8 @@ package org.evoloop.journal;
 import static java.util.Objects.requireNonNull;
 
 import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -114,15 +116,43 @@ public final class Journal implements ConverterJournal {
         return forcing;
     }
 
+    /**
+     * Checks, as far as is possible without writing, that a converter of these models could begin or continue this
+     * journal, which may be in use.
+     *
+     * @throws JournalException if it could not; the message is that of a start
+     */
+    public void check(ModelPair models) {
+        Path existing = path.toAbsolutePath();
+        while (!Files.exists(existing) && existing.getParent() != null) {
+            existing = existing.getParent();
+        }
+        if (!Files.isDirectory(existing)) {
+            throw Directory.cannotBeWritten(path, new FileAlreadyExistsException(existing.toString()));
+        }
+        if (!Files.isWritable(existing)) {
+            throw Directory.cannotBeWritten(path, new AccessDeniedException(existing.toString()));
+        }
+        Path newest = newest();
+        if (newest != null && evolvedFrom(models) == null) {
+            Fingerprint.requireSame(newest, new SegmentReader(newest).head(), Fingerprint.of(models), models);
+        }
+    }
+
+    private @Nullable Path newest() {
+        List<Path> all = Files.isDirectory(path) ? Chain.whileInUse(path).files() : List.of();
+        return all.isEmpty() ? null : all.get(all.size() - 1);
+    }
+
     /** @throws JournalException if it is damaged, or cannot be read */
     @Override
     public @Nullable ModelPair evolvedFrom(ModelPair models) {
         String fingerprint = Fingerprint.of(models);
-        List<Path> all = Files.isDirectory(path) ? Chain.whileInUse(path).files() : List.of();
-        if (all.isEmpty()) {
+        Path last = newest();
+        if (last == null) {
             return null;
         }
-        Head newest = new SegmentReader(all.get(all.size() - 1)).head();
+        Head newest = new SegmentReader(last).head();
         if (newest.built().equals(fingerprint) && !newest.fingerprint().equals(fingerprint)) {
             built = fingerprint;
             return newest.models();

@@ -131,17 +131,21 @@ final class Segment implements AutoCloseable {
         return new Link(end, Frame.sum(headers, place));
     }
 
-    /** Looks whether the file is still what it was, so that what is appended can be read again. */
-    void look() {
+    /**
+     * Looks whether the file is still what it was, so that what is appended can be read again. To touch the memory of a
+     * file that has been cut could end the process.
+     */
+    private boolean isInPlace() {
         try {
             BasicFileAttributes present = attributes();
             lost = !Objects.equals(present.fileKey(), key) || present.size() < map.capacity();
         } catch (IOException gone) {
             lost = true;
         }
+        return !lost;
     }
 
-    /** Whether the file had been removed, replaced or cut at the last {@linkplain #look}. */
+    /** Whether the file had been removed, replaced or cut when it was last forced. */
     boolean isLost() {
         return lost;
     }
@@ -151,10 +155,10 @@ final class Segment implements AutoCloseable {
         return sure != end;
     }
 
-    /** Forces everything appended to the disk. */
+    /** Forces everything appended to the disk, if the file is still in its place. */
     synchronized void force() {
         int until = end;
-        if (sure != until) {
+        if (sure != until && isInPlace()) {
             map.force(0, until);
             if (sure == Preamble.BYTES) {
                 Directory.force(file.toAbsolutePath().resolveSibling(""));
@@ -189,8 +193,10 @@ final class Segment implements AutoCloseable {
         }
         closed = true;
         try {
-            Preamble.close(map, link());
-            channel.truncate(end);
+            if (isInPlace()) {
+                Preamble.close(map, link());
+                channel.truncate(end);
+            }
         } catch (IOException stillMapped) {
             // Windows cannot truncate a mapped file; the zeros at its end are harmless.
         } finally {

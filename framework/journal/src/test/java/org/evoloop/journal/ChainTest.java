@@ -74,13 +74,16 @@ class ChainTest {
         return Directory.segments(journal).size();
     }
 
-    /** What both a reader and a start say. */
+    /** What a reader, a check of the options and a start say. */
     private String refused() {
+        JournalException checked = catchThrowableOfType(
+                JournalException.class, () -> Journal.in(journal).check(Robot.MODELS));
         JournalException read = catchThrowableOfType(JournalException.class, this::records);
         JournalException started = catchThrowableOfType(JournalException.class, this::started);
         assertThat(read).isNotNull();
         assertThat(read.isDamage()).isTrue();
         assertThat(started).isNotNull().hasMessage(read.getMessage());
+        assertThat(checked).isNotNull().hasMessage(read.getMessage());
         return read.getMessage();
     }
 
@@ -95,6 +98,7 @@ class ChainTest {
     }
 
     private void isSound() {
+        Journal.in(journal).check(Robot.MODELS);
         assertThat(records()).isNotEmpty();
         assertThat(started()).isEqualTo(last);
     }

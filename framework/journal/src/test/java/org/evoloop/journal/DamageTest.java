@@ -227,6 +227,22 @@ class DamageTest {
                 .hasMessageEndingWith("start with the models that it was written with, or use another directory");
     }
 
+    /** What a start would refuse is found without it, and nothing is changed. */
+    @Test
+    void whatAStartWouldRefuseIsFoundBefore() throws Exception {
+        Journal kept = Journal.in(journal);
+        kept.check(Robot.MODELS);
+        assertThatThrownBy(() -> kept.check(Robot.models("another", "Spot")))
+                .hasMessageStartingWith(segmentIn(journal) + ", byte 104, record 0: the journal is of other models:");
+        Journal.in(directory.resolve("not/yet/there")).check(Robot.MODELS);
+        assertThat(directory.resolve("not")).doesNotExist();
+        Path file = Files.writeString(directory.resolve("file"), "");
+        for (Path wrong : List.of(file, file.resolve("below"))) {
+            assertThatThrownBy(() -> Journal.in(wrong).check(Robot.MODELS))
+                    .hasMessageStartingWith("the journal " + wrong + " cannot be written: ");
+        }
+    }
+
     @Test
     void modelsMayMove() {
         Rules moved = Robot.rules(Robot.models("/elsewhere/original.scxml", "Clean"), 8);

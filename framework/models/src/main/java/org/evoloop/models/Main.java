@@ -30,16 +30,7 @@ public final class Main {
      * @return the exit status: 0 success, 1 a check failed or its result could not be written, 2 wrong usage or input
      */
     static int run(CommandLine commandLine, String... arguments) {
-        int status = UsersMistakes.reportedBy(commandLine, Main::isUsersMistake).execute(arguments);
-        // A PrintWriter reports a full disk or a closed pipe only here.
-        if (commandLine.getOut().checkError()) {
-            commandLine
-                    .getErr()
-                    .println("error: standard output: the result could not be written in full; free some space there,"
-                            + " or write it elsewhere");
-            return status == CommandLine.ExitCode.OK ? CommandLine.ExitCode.SOFTWARE : status;
-        }
-        return status;
+        return UsersMistakes.execute(UsersMistakes.reportedBy(commandLine, Main::isUsersMistake), arguments);
     }
 
     private static boolean isUsersMistake(Exception failure) {

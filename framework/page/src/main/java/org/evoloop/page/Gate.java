@@ -7,6 +7,7 @@ import java.net.URI;
 import java.net.UnknownHostException;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
 import java.security.SecureRandom;
 import java.util.Base64;
 import java.util.List;
@@ -24,8 +25,8 @@ import org.jspecify.annotations.Nullable;
 final class Gate {
     private static final SecureRandom RANDOM = new SecureRandom();
 
-    private final String token = secret();
-    private final String session = secret();
+    private final String token;
+    private final String session;
     private final String host;
     private final String cookie;
     private final Set<String> ownNames;
@@ -33,16 +34,33 @@ final class Gate {
     /**
      * @param host the host name or address on which it listens
      * @param port the port on which it listens: a browser sends cookies to every port of a host
+     * @param token the token for the controls; the cookie follows from it, and is as long-lived
      */
-    Gate(String host, int port) {
+    Gate(String host, int port, String token) {
+        this.token = token;
+        this.session = session(token);
         this.host = host.toLowerCase(Locale.ROOT);
         this.cookie = "evoloop-" + port;
         this.ownNames = ownNames();
     }
 
-    private static String secret() {
+    /** A new token. */
+    static String secret() {
         byte[] bytes = new byte[18];
         RANDOM.nextBytes(bytes);
+        return encoded(bytes);
+    }
+
+    private static String session(String token) {
+        try {
+            return encoded(MessageDigest.getInstance("SHA-256")
+                    .digest(("session of " + token).getBytes(StandardCharsets.UTF_8)));
+        } catch (NoSuchAlgorithmException impossible) {
+            throw new AssertionError("every Java has SHA-256", impossible);
+        }
+    }
+
+    private static String encoded(byte[] bytes) {
         return Base64.getUrlEncoder().withoutPadding().encodeToString(bytes);
     }
 

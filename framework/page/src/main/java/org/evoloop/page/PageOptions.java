@@ -1,21 +1,28 @@
 package org.evoloop.page;
 
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.nio.file.Path;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.evoloop.config.Mistakes;
 import org.evoloop.config.Option;
 import org.evoloop.config.Options;
 import org.evoloop.config.Settings;
+import org.jspecify.annotations.Nullable;
 
 /**
- * The address of a page.
+ * The address of a page, and where its token is kept.
  *
  * <p>Threading: immutable.
  *
  * @param host the address to listen on, as a name or a number; empty for no page
  * @param port the port, 0 for any free one
+ * @param tokenFile the file that keeps the token for the next start; null for a new token at each start
  * @since 0.1
  */
-public record PageOptions(String host, int port) {
+public record PageOptions(
+        String host, int port, @Nullable Path tokenFile) {
     private static final Option<PageOptions> PAGE = Option.value(
             "page",
             "[HOST:]PORT",
@@ -23,8 +30,14 @@ public record PageOptions(String host, int port) {
                     + "(default: nothing listens).",
             PageOptions::at);
 
-    /** The option of a program. */
-    public static final Options OPTIONS = Options.of(PAGE);
+    private static final Option<Path> TOKEN_FILE = Option.path(
+            "page-token-file",
+            "FILE",
+            "Keeps the page's token in this file, which only its owner may read, so that it stays the same after a "
+                    + "restart (default: a new token at each start).");
+
+    /** The options of a program. */
+    public static final Options OPTIONS = Options.of(PAGE, TOKEN_FILE).checking(PageOptions::check);
 
     private static final String LOOPBACK = "127.0.0.1";
     private static final Pattern ADDRESS = Pattern.compile("(?:(\\[[0-9a-fA-F:.]+]|[A-Za-z0-9.-]+):)?([0-9]{1,5})");
@@ -32,12 +45,34 @@ public record PageOptions(String host, int port) {
 
     /** No page: nothing listens. */
     public static PageOptions none() {
-        return new PageOptions("", 0);
+        return new PageOptions("", 0, null);
     }
 
     /** The page given by a program's options. */
     public static PageOptions of(Settings settings) {
-        return settings.get(PAGE).orElse(none());
+        PageOptions page = settings.get(PAGE).orElse(none());
+        return new PageOptions(page.host, page.port, settings.get(TOKEN_FILE).orElse(null));
+    }
+
+    private static void check(Settings settings, Mistakes mistakes) {
+        Path file = settings.get(TOKEN_FILE).orElse(null);
+        if (file != null && settings.get(PAGE).isEmpty()) {
+            mistakes.add("--page-token-file goes with --page; give both or neither");
+        } else if (file != null) {
+            mistakes.tried("page-token-file", IllegalArgumentException.class::isInstance, new TokenFile(file)::read);
+        }
+        settings.get(PAGE)
+                .ifPresent(page ->
+                        mistakes.tried("page", IllegalArgumentException.class::isInstance, page::requireHost));
+    }
+
+    private InetAddress requireHost() {
+        try {
+            return InetAddress.getByName(host);
+        } catch (UnknownHostException unknown) {
+            throw new IllegalArgumentException(
+                    "--page: there is no host " + host + "; leave it out, or use an address of this machine", unknown);
+        }
     }
 
     /**
@@ -54,7 +89,7 @@ public record PageOptions(String host, int port) {
                     + " not '" + address + "'");
         }
         String host = parts.group(1);
-        return new PageOptions(host == null ? LOOPBACK : host, Integer.parseInt(parts.group(2)));
+        return new PageOptions(host == null ? LOOPBACK : host, Integer.parseInt(parts.group(2)), null);
     }
 
     /** Whether there is a page. */

@@ -10,8 +10,10 @@ import java.io.InterruptedIOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.Properties;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -74,8 +76,29 @@ final class PageServer implements AutoCloseable {
                             + "); choose another port, or 0 for any that is free",
                     taken);
         }
-        this.gate = new Gate(options.host(), port());
+        try {
+            this.gate = new Gate(options.host(), port(), token(options));
+        } catch (IOException | RuntimeException refused) {
+            server.stop(0);
+            threads.close();
+            throw refused;
+        }
         server.setExecutor(threads);
+    }
+
+    private static String token(PageOptions options) throws IOException {
+        Path named = options.tokenFile();
+        if (named == null) {
+            return Gate.secret();
+        }
+        TokenFile file = new TokenFile(named);
+        Optional<String> kept = file.read();
+        if (kept.isPresent()) {
+            return kept.get();
+        }
+        String token = Gate.secret();
+        file.write(token);
+        return token;
     }
 
     int port() {

@@ -15,7 +15,7 @@ class PageOptionsTest {
     @ParameterizedTest
     @CsvSource({"8080,127.0.0.1,8080", "0.0.0.0:80,0.0.0.0,80", "[::1]:1,[::1],1", "pi.local:65535,pi.local,65535"})
     void anAddressIsAPortOrAHostAndAPort(String given, String host, int port) {
-        assertThat(PageOptions.at(given)).isEqualTo(new PageOptions(host, port));
+        assertThat(PageOptions.at(given)).isEqualTo(new PageOptions(host, port, null));
     }
 
     @ParameterizedTest

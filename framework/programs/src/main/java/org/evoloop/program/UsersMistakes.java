@@ -43,6 +43,25 @@ public final class UsersMistakes {
                 });
     }
 
+    /**
+     * Runs a command line whose output is a result.
+     *
+     * @return the command's exit status; 1 if it succeeded, but the result could not be written in full, as to a full
+     *     disk
+     */
+    public static int execute(CommandLine commandLine, String... arguments) {
+        int status = commandLine.execute(arguments);
+        // A PrintWriter reports a full disk or a closed pipe only here.
+        if (status == CommandLine.ExitCode.OK && commandLine.getOut().checkError()) {
+            commandLine
+                    .getErr()
+                    .println("error: standard output: the result could not be written in full; free some space there,"
+                            + " or write it elsewhere");
+            return CommandLine.ExitCode.SOFTWARE;
+        }
+        return status;
+    }
+
     /** Picocli's own message, where it reads well. */
     private static @Nullable String message(ParameterException mistake) {
         if (mistake instanceof UnmatchedArgumentException unmatched && !unmatched.isUnknownOption()) {

@@ -16,6 +16,9 @@ public record CameraSource(Kind kind, String text) {
     /** The name of the simulated robot's own camera. */
     public static final String SIMULATED = "sim";
 
+    /** A host and its port, without a login before it. */
+    private static final String HOST = "(?:[A-Za-z0-9._-]+|\\[[0-9A-Fa-f:.]+])(?::[0-9]{1,5})?";
+
     private static final Pattern NUMBER = Pattern.compile("\\d{1,3}");
     private static final Pattern SCHEME = Pattern.compile("[a-zA-Z][a-zA-Z0-9+.-]*://.*");
     private static final Pattern SEQUENCE = Pattern.compile(".*%0?\\d*d.*");
@@ -97,7 +100,8 @@ public record CameraSource(Kind kind, String text) {
     /** A source's text without the password that a URL may hold. */
     public static String masked(String text) {
         return SCHEME.matcher(text).matches()
-                ? text.replaceFirst("://.*@", "://***@").replaceFirst("\\?.*", "?***")
+                ? text.replaceFirst("://(?!" + HOST + "(?:[/?#]|$)).*@", "://***@")
+                        .replaceFirst("\\?.*", "?***")
                 : text;
     }
 }
