@@ -1,7 +1,7 @@
 /**
  * Machines as plain text, as JSON, in Graphviz's dot and in PlantUML's language.
  *
- * <p>This package may use {@code chart} and {@code statechart}. It does no I/O.
+ * <p>This package may use {@code chart}, {@code statechart} and {@code statemachine}. It does no I/O.
  */
 @NullMarked
 package org.evoloop.models.format;
