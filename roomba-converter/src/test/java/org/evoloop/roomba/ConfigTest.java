@@ -145,8 +145,8 @@ class ConfigTest {
             assertThat(started.status()).isEqualTo(2);
         }
         Path broken = Files.writeString(folder.resolve("cleaning-robot.properties.txt"), "no property at all\n");
-        Files.copy(ROOT.resolve("models/cleaning-robot.xml"), folder.resolve("cleaning-robot.xml"));
-        Program.Result printed = Program.run(folder, "--models", "cleaning-robot.xml", "--print-config");
+        Path models = Files.copy(ROOT.resolve("models/cleaning-robot.xml"), folder.resolve("cleaning-robot.xml"));
+        Program.Result printed = Program.run(folder, "--models", models.toString(), "--print-config");
         assertThat(printed.err()).contains(broken.getFileName().toString());
         assertThat(printed.status()).isEqualTo(2);
     }
