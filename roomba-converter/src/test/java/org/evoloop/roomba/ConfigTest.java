@@ -127,7 +127,8 @@ class ConfigTest {
         Path file = file("simulate: true\njournal: journal\n");
         Program.Result result = Program.run(folder, "--config", file.toString(), "--print-config");
         assertThat(result.err())
-                .contains(file + ":2: " + none.resolve("0000000001.journal") + ", byte 0: it does not begin with EVOLOOPJ");
+                .contains(file + ":2: " + none.resolve("0000000001.journal")
+                        + ", byte 0: it does not begin with EVOLOOPJ");
         assertThat(result.status()).isEqualTo(2);
     }
 
