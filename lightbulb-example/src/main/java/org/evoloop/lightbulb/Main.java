@@ -106,8 +106,7 @@ public final class Main {
     }
 
     /** Without its wires and its journal. */
-    private static SystemEventConverter converter(
-            ModelPair models, PushMonitor wallSwitch, Lamp lamp, Clock clock) {
+    private static SystemEventConverter converter(ModelPair models, PushMonitor wallSwitch, Lamp lamp, Clock clock) {
         SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
         converter.addMonitor(wallSwitch);
         converter.addExecute(new LampExecute(lamp));

@@ -213,8 +213,7 @@ class MainTest {
         assertThat(sound.errorReader(StandardCharsets.UTF_8).lines()).isEmpty();
         assertThat(sound.waitFor()).isZero();
 
-        Files.move(
-                new File(journal, "0000000001.journal").toPath(), new File(journal, "0000000002.journal").toPath());
+        Files.move(new File(journal, "0000000001.journal").toPath(), new File(journal, "0000000002.journal").toPath());
         assertSame("--journal", journal.toString());
         assertSame("--journal", folder + "/journal/0000000002.journal");
         assertSame("--name", "n".repeat(120));

@@ -127,7 +127,8 @@ class ConfigTest {
         Path file = file("simulate: true\njournal: journal\n");
         Program.Result result = Program.run(folder, "--config", file.toString(), "--print-config");
         assertThat(result.err())
-                .contains(file + ":2: " + none.resolve("0000000001.journal") + ", byte 0: it does not begin with EVOLOOPJ");
+                .contains(file + ":2: " + none.resolve("0000000001.journal")
+                        + ", byte 0: it does not begin with EVOLOOPJ");
         assertThat(result.status()).isEqualTo(2);
     }
 
@@ -145,8 +146,8 @@ class ConfigTest {
             assertThat(started.status()).isEqualTo(2);
         }
         Path broken = Files.writeString(folder.resolve("cleaning-robot.properties.txt"), "no property at all\n");
-        Files.copy(ROOT.resolve("models/cleaning-robot.xml"), folder.resolve("cleaning-robot.xml"));
-        Program.Result printed = Program.run(folder, "--models", "cleaning-robot.xml", "--print-config");
+        Path models = Files.copy(ROOT.resolve("models/cleaning-robot.xml"), folder.resolve("cleaning-robot.xml"));
+        Program.Result printed = Program.run(folder, "--models", models.toString(), "--print-config");
         assertThat(printed.err()).contains(broken.getFileName().toString());
         assertThat(printed.status()).isEqualTo(2);
     }

@@ -156,8 +156,7 @@ class SettingsTest {
                 .contains("port: 'mqtt://me:***@host:1883/a'")
                 .doesNotContain("s3cr");
         String plain = "http://host:8080/feed@2x";
-        assertThat(answer(FanOptions.read("--port", plain, "--print-config")))
-                .contains("port: '" + plain + "'");
+        assertThat(answer(FanOptions.read("--port", plain, "--print-config"))).contains("port: '" + plain + "'");
         for (String[] wrong : new String[][] {
             {url},
             {"--speed", url},

@@ -21,8 +21,7 @@ import org.jspecify.annotations.Nullable;
  * @param tokenFile the file that keeps the token for the next start; null for a new token at each start
  * @since 0.1
  */
-public record PageOptions(
-        String host, int port, @Nullable Path tokenFile) {
+public record PageOptions(String host, int port, @Nullable Path tokenFile) {
     private static final Option<PageOptions> PAGE = Option.value(
             "page",
             "[HOST:]PORT",
@@ -62,8 +61,8 @@ public record PageOptions(
             mistakes.tried("page-token-file", IllegalArgumentException.class::isInstance, new TokenFile(file)::read);
         }
         settings.get(PAGE)
-                .ifPresent(page ->
-                        mistakes.tried("page", IllegalArgumentException.class::isInstance, page::requireHost));
+                .ifPresent(
+                        page -> mistakes.tried("page", IllegalArgumentException.class::isInstance, page::requireHost));
     }
 
     private InetAddress requireHost() {

@@ -35,8 +35,9 @@ record TokenFile(Path path) {
             }
             String token = Files.readString(path, StandardCharsets.UTF_8).strip();
             if (!token.matches(SECRET)) {
-                throw refused("holds no token of 16 to 128 letters, digits, _ and -; delete it, and the program writes a"
-                        + " new one");
+                throw refused(
+                        "holds no token of 16 to 128 letters, digits, _ and -; delete it, and the program writes a"
+                                + " new one");
             }
             return Optional.of(token);
         } catch (IOException unreadable) {

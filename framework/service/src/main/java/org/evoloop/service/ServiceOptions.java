@@ -48,12 +48,12 @@ public record ServiceOptions(
             });
 
     /** The options of a program. */
-    public static final Options OPTIONS = Options.of(START, NAME, JOURNAL, ON_TROUBLE).checking((settings, mistakes) -> settings.get(
-                    NAME)
-            .ifPresent(name -> mistakes.tried(
-                    "name",
-                    IllegalArgumentException.class::isInstance,
-                    () -> Instances.socket(new Instances(System.getenv()).directory(), name))));
+    public static final Options OPTIONS = Options.of(START, NAME, JOURNAL, ON_TROUBLE)
+            .checking((settings, mistakes) -> settings.get(NAME)
+                    .ifPresent(name -> mistakes.tried(
+                            "name",
+                            IllegalArgumentException.class::isInstance,
+                            () -> Instances.socket(new Instances(System.getenv()).directory(), name))));
 
     /**
      * Options of these values.

@@ -177,7 +177,9 @@ public final class Scaffold {
         values.put("evolvedMachine", machine(request.evolved()));
         if (request.properties() != null) {
             // Named after the new model's file, so that the command check finds it.
-            content.bytes("models/" + evolved + ".properties.txt", request.properties().getBytes(StandardCharsets.UTF_8));
+            content.bytes(
+                    "models/" + evolved + ".properties.txt",
+                    request.properties().getBytes(StandardCharsets.UTF_8));
         }
     }
 
