@@ -118,8 +118,7 @@ public final class LocalBroker implements AutoCloseable {
             if (e.getCause() instanceof BrokerIdNotRegisteredException) {
                 return true;
             }
-            if (e.getCause() instanceof NotControllerException
-                    || e.getCause() instanceof UnsupportedVersionException) {
+            if (e.getCause() instanceof NotControllerException || e.getCause() instanceof UnsupportedVersionException) {
                 return false;
             }
             throw new IllegalStateException("the earlier run's broker cannot be unregistered: " + e.getMessage(), e);

@@ -9,6 +9,7 @@ import io.micrometer.core.instrument.binder.system.ProcessorMetrics;
 import io.micrometer.prometheusmetrics.PrometheusConfig;
 import io.micrometer.prometheusmetrics.PrometheusMeterRegistry;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
@@ -33,7 +34,7 @@ public final class ObservationServer implements AutoCloseable {
     private static final Pattern ADDRESS = Pattern.compile("(?:(\\[[0-9a-fA-F:.]+]|[A-Za-z0-9.-]+):)?([0-9]{1,5})");
     private static final int HIGHEST_PORT = 65_535;
     private static final String LOOPBACK = "127.0.0.1";
-    private static final int MOST_REQUESTS = 8;
+    private static final int MOST_REQUESTS = 32;
     private static final Duration REQUEST_LIMIT = Duration.ofSeconds(10);
     private static final int OK = 200;
     private static final int NOT_FOUND = 404;
@@ -76,11 +77,12 @@ public final class ObservationServer implements AutoCloseable {
         }
         String host = parts.group(1) == null ? LOOPBACK : parts.group(1);
         Properties settings = System.getProperties();
-        // The JDK's server reads these once. It closes connections that send no request, and takes no more than these.
+        // The JDK's server reads these once. A connection without a request costs no thread, and is closed after a
+        // while.
         settings.putIfAbsent("sun.net.httpserver.nodelay", "true");
         settings.putIfAbsent("sun.net.httpserver.idleInterval", Long.toString(REQUEST_LIMIT.toSeconds()));
         settings.putIfAbsent("sun.net.httpserver.clockTick", "1000");
-        settings.putIfAbsent("jdk.httpserver.maxConnections", "64");
+        settings.putIfAbsent("jdk.httpserver.maxConnections", "512");
         try {
             InetSocketAddress at = new InetSocketAddress(InetAddress.getByName(host), Integer.parseInt(parts.group(2)));
             return new ObservationServer(HttpServer.create(at, 0), metrics, health);
@@ -101,6 +103,9 @@ public final class ObservationServer implements AutoCloseable {
 
     private void handle(HttpExchange exchange) throws IOException {
         try (exchange) {
+            // Until it is complete, it gives way to others.
+            exchange.getRequestBody().transferTo(OutputStream.nullOutputStream());
+            threads.limit(REQUEST_LIMIT);
             switch (exchange.getRequestURI().getPath()) {
                 case "/metrics" -> answer(exchange, OK, "text/plain; version=0.0.4", registry.scrape());
                 case "/health" -> {

@@ -1,17 +1,21 @@
 package org.evoloop.fleet.observe;
 
+import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.micrometer.core.instrument.Gauge;
 import io.micrometer.core.instrument.binder.MeterBinder;
 import java.net.ServerSocket;
+import java.net.Socket;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpRequest.BodyPublishers;
 import java.net.http.HttpResponse;
 import java.net.http.HttpResponse.BodyHandlers;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.Test;
 
@@ -49,6 +53,23 @@ class ObservationServerTest {
             assertThat(ask(server, "HEAD", "/health").statusCode()).isEqualTo(503);
             assertThat(ask(server, "GET", "/").statusCode()).isEqualTo(404);
             assertThat(ask(server, "POST", "/metrics").statusCode()).isEqualTo(405);
+        }
+    }
+
+    @Test
+    void halfRequestsLockNobodyOut() throws Exception {
+        List<Socket> half = new ArrayList<>();
+        try (ObservationServer server = open("0")) {
+            for (int client = 0; client < 100; client++) {
+                Socket socket = new Socket("127.0.0.1", URI.create(server.url()).getPort());
+                socket.getOutputStream().write("POST /health HTTP/1.1\r\nContent-Length: 9\r\n\r\n".getBytes(US_ASCII));
+                half.add(socket);
+            }
+            assertThat(ask(server, "GET", "/health").statusCode()).isEqualTo(200);
+        } finally {
+            for (Socket socket : half) {
+                socket.close();
+            }
         }
     }
 

@@ -57,10 +57,9 @@ final class EvolveCommands {
                                 --probation-events N: the same for this many events
                                 --no-way-back: even if a rollback is impossible from some of its states""", own::evolve)
                         .completing(before -> before.isEmpty() ? offered.references() : OPTIONS),
-                ConsoleCommand.of(
-                                "rollback [--within SECONDS]",
-                                "goes back to the models before the last evolve",
-                                own::rollBack)
+                ConsoleCommand.of("rollback [OPTION...]", """
+                                goes back to the models before the last evolve
+                                --within SECONDS: how long to wait until it is possible (default 30)""", own::rollBack)
                         .completing(before -> before.isEmpty() ? List.of("--within") : List.of()),
                 ConsoleCommand.of("shadow [FILE#NAME|off] [OPTION...]", """
                                 lets another new model decide the same events, without acting on its decisions

@@ -81,8 +81,15 @@ class EvolveCommandsTest {
     }
 
     @Test
+    void aRollbackHasADeadline() {
+        run("start", "evolve lamp.xml#plain", "rollback --within 5");
+        assertThat(err.text()).isEmpty();
+        assertThat(out.text()).endsWith("evolved to 'new': (off, off) is (off, off)\n");
+    }
+
+    @Test
     void otherModelsTakeOverAndAreTakenBack() {
-        run("start", "evolve lamp.xml#plain", "status", "rollback --within 5", "status");
+        run("start", "evolve lamp.xml#plain", "status", "rollback", "status");
         assertThat(err.text()).isEmpty();
         assertThat(out.text()).isEqualTo("""
                 running: original off, new off

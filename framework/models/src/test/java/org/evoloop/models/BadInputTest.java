@@ -106,7 +106,8 @@ class BadInputTest {
         assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
                 .isZero();
         new ProcessBuilder("sh", "-c", "echo never Nowhere >\"$0\"", pipe.toString()).start();
-        assertRefused(Tool.run("check", ORIGINAL, NEW, "--properties", pipe.toString()), "pipe.txt, line 1: ", "Nowhere");
+        assertRefused(
+                Tool.run("check", ORIGINAL, NEW, "--properties", pipe.toString()), "pipe.txt, line 1: ", "Nowhere");
     }
 
     @Test

@@ -44,8 +44,8 @@ class XmiInputTest {
                 "<!DOCTYPE XMI SYSTEM 'file:///etc/passwd'><XMI/> | contains a DOCTYPE",
                 "<!DOCTYPE XMI [<!ENTITY a 'b'>]><XMI>&a;</XMI> | contains a DOCTYPE",
                 "PK\u0003\u0004 rest                  | is a zip archive, such as an Astah project (.asta), not XML: open it in Astah",
-                "<html xmlns='urn:x' version='1.0'/> | found root element '{urn:x}html' of version '1.0', which is not supported",
-                "<html/>                              | use XMI 1.1 from Astah (Tools > XML Input & Output > Save as XML Project) or UML 1.x",
+                "<book xmlns='urn:x' version='1.0'/> | found root element '{urn:x}book' of version '1.0', which is not supported",
+                "<book/>                              | use XMI 1.1 from Astah (Tools > XML Input & Output > Save as XML Project) or UML 1.x",
                 "<XMI><XMI.header><XMI.exporter>Odd</XMI.exporter></XMI.header></XMI>"
                         + " | found root element 'XMI' written by 'Odd', which is not supported",
             })
