@@ -16,12 +16,13 @@ import org.jspecify.annotations.Nullable;
  * Where PlantUML can draw the transitions of a chart. What is in a concurrent region, other than the first of its state,
  * can be named only there, and nothing else can be named there; such a region is called closed.
  */
+@SuppressWarnings("ReferenceEquality") // two regions may look alike
 final class PlantUmlRegions {
     /** By the key of a vertex. */
     private final Map<String, Region> regions = new HashMap<>();
 
-    private final Map<Region, Place> places = new IdentityHashMap<>();
-    private final Map<Region, List<Drawn>> written = new IdentityHashMap<>();
+    private final IdentityHashMap<Region, Place> places = new IdentityHashMap<>();
+    private final IdentityHashMap<Region, List<Drawn>> written = new IdentityHashMap<>();
     private final List<Drawn> acrossAll = new ArrayList<>();
 
     /** @param state that holds the region; empty at the top */
