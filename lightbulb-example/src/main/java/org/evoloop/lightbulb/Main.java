@@ -93,7 +93,8 @@ public final class Main {
         try (Service service = Service.open(unattended);
                 Clock clock = new SystemClock();
                 Wiring wiring = new Wiring(settings)) {
-            SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
+            SystemEventConverter converter =
+                    new SystemEventConverter(LoopConfig.defaults("lamp", clock).withPressAge(unattended.pressAge()));
             converter.addMonitor(wallSwitch);
             converter.addExecute(new LampExecute(lamp));
             wiring.connect(converter, lamp, clock);

@@ -51,7 +51,9 @@ final class CoreIntake implements Intake<Occurrence> {
                     driver.shadowObserves(occurrence);
                 }
             }
-            return outputs.admission;
+            // What an open core refuses is what the journal could not keep.
+            boolean unkept = outputs.admission == Admission.REFUSED && core.isOpen();
+            return unkept ? Admission.NOT_RECORDED : outputs.admission;
         }
     }
 

@@ -190,7 +190,7 @@ final class Evolver {
         DecisionTable table = components.compile(next, false);
         components.monitors().forEach(monitor -> monitor.requireKnown(next.eventNames()));
         Rules running = shell.driver.rules();
-        Rules rules = new Rules(table, next::timersOf, running.queueCapacity());
+        Rules rules = new Rules(table, next::timersOf, running.queueCapacity(), running.pressAge());
         if (evolution.needsWayBack() && !back) {
             requireWayBack(Swap.of(rules, running, evolution.mapping().reversed()), rules, running);
         }

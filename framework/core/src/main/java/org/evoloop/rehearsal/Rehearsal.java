@@ -63,7 +63,10 @@ final class Rehearsal extends Chronicle {
         this.core = new Core(roomier(rules), from, this);
     }
 
-    /** An event that is in progress in the converter may still wait here, so there is a place for it. */
+    /**
+     * An event that is in progress in the converter may still wait here, so there is a place for it. Which presses were
+     * too old is known from the converter.
+     */
     private static Rules roomier(Rules rules) {
         return new Rules(rules.table(), rules.timers(), rules.queueCapacity() + 1);
     }
@@ -136,6 +139,10 @@ final class Rehearsal extends Chronicle {
         int waiting = core.waiting();
         outstanding.add(here);
         core.observed(here);
+        if (!core.doubt().isEmpty()) {
+            // The converter has asked the device, and what that has answered comes as a finding.
+            core.restore(core.rules(), core.snapshot().withoutDoubt());
+        }
         if (here instanceof Occurrence.Found && core.waiting() == waiting && like(here) > before) {
             // No news, so it never has its turn.
             isOut(here);
@@ -148,6 +155,9 @@ final class Rehearsal extends Chronicle {
         hear(found, null, atNanos);
         if (core.waiting() > before) {
             core.restore(core.rules(), core.snapshot().lastFirst());
+        } else if (core.snapshot().followOwed() && !core.rules().table().isFollowed(at())) {
+            // The record is there already; the new model follows.
+            convert(atNanos);
         }
     }
 
@@ -287,7 +297,9 @@ final class Rehearsal extends Chronicle {
     /** What a component did to the event before the models decided, or by a rule of its own, it does here, too. */
     private void plan(Pending pending, @Nullable Ending recorded, long atNanos) {
         long number = pending.number();
-        if (recorded != null && recorded.ended().decision() instanceof Decision.Refused refused) {
+        if (recorded != null && recorded.isTooOld()) {
+            core.dismissed(number, atNanos);
+        } else if (recorded != null && recorded.ended().decision() instanceof Decision.Refused refused) {
             core.planned(number, new Decision.Refused(core.at(), refused.reason()), atNanos);
         } else if (recorded == null || !recorded.undecided()) {
             core.planned(number, decision(pending, recorded), atNanos);

@@ -11,7 +11,7 @@ final class Preamble {
     static final int BYTES = 32;
 
     /** The version of the format, and of the core's rules: other rules may give other outputs for the same inputs. */
-    static final int VERSION = 8;
+    static final int VERSION = 9;
 
     private static final long MAGIC = 0x45564F4C4F4F504AL; // EVOLOOPJ
     private static final int CHECKED_BYTES = 12;

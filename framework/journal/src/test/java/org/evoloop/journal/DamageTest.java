@@ -137,14 +137,15 @@ class DamageTest {
     void anotherVersionIsRefused() throws Exception {
         Path segment = segmentIn(journal);
         byte[] bytes = Files.readAllBytes(segment);
-        ByteBuffer.wrap(bytes).putInt(8, 9);
+        ByteBuffer.wrap(bytes).putInt(8, Preamble.VERSION + 1);
         ByteBuffer.wrap(bytes).putInt(12, Frame.crcOf(bytes, 0, 12));
         Files.write(segment, bytes);
 
         assertThatThrownBy(() -> JournaledCore.recovered(Robot.RULES, journal, clock))
                 .isInstanceOf(JournalException.class)
                 .hasMessage(segment
-                        + ", byte 8: it is written in version 9 of the format, and this Evoloop reads version "
+                        + ", byte 8: it is written in version " + (Preamble.VERSION + 1)
+                        + " of the format, and this Evoloop reads version "
                         + Preamble.VERSION + "; use "
                         + "the version of Evoloop that wrote it, or start with an empty directory");
     }

@@ -1,6 +1,7 @@
 package org.evoloop.service;
 
 import java.nio.file.Path;
+import java.time.Duration;
 import org.evoloop.config.Option;
 import org.evoloop.config.Options;
 import org.evoloop.config.Settings;
@@ -14,10 +15,13 @@ import org.jspecify.annotations.Nullable;
  * @param start whether the loop is opened at once, and the end of standard input is ignored
  * @param name the name under which {@code ctl} reaches it; null if it has no control socket
  * @param journal the directory in which its converter keeps its journal; null if it keeps none
+ * @param pressAge how old a press may be when its turn comes
  * @since 0.1
  */
 public record ServiceOptions(
-        boolean start, @Nullable String name, @Nullable Path journal) {
+        boolean start, @Nullable String name, @Nullable Path journal, Duration pressAge) {
+    private static final String USUAL_PRESS_AGE = "10";
+
     private static final Option<Boolean> START =
             Option.flag("start", "Starts converting at once, and keeps running when the standard input ends.");
     private static final Option<String> NAME = Option.value(
@@ -31,8 +35,16 @@ public record ServiceOptions(
             "Records the converter's inputs in this directory, and resumes where the previous process ended (default: "
                     + "nothing is recorded).");
 
+    private static final Option<Duration> PRESS_AGE = Option.value(
+                    "press-age",
+                    "SECONDS",
+                    "How old a press may be when its turn comes; an older one, such as one from before an outage, is not "
+                            + "carried out (default: " + USUAL_PRESS_AGE + ").",
+                    ServiceOptions::seconds)
+            .withDefault(USUAL_PRESS_AGE);
+
     /** The options of a program. */
-    public static final Options OPTIONS = Options.of(START, NAME, JOURNAL);
+    public static final Options OPTIONS = Options.of(START, NAME, JOURNAL, PRESS_AGE);
 
     /**
      * Options of these values.
@@ -45,9 +57,17 @@ public record ServiceOptions(
         }
     }
 
-    /** The options of an ordinary program with a console: no automatic start, no control socket, no journal. */
+    private static Duration seconds(String text) {
+        double seconds = text.matches("[0-9]{1,5}([.][0-9]{1,3})?") ? Double.parseDouble(text) : 0;
+        if (seconds < 0.1 || seconds > Duration.ofDays(1).toSeconds()) {
+            throw new IllegalArgumentException("--press-age is " + text + ", allowed is 0.1 to 86400 seconds");
+        }
+        return Duration.ofMillis(Math.round(seconds * 1000));
+    }
+
+    /** The options of an ordinary program with a console, which are the defaults: no start, no control socket, no journal. */
     public static ServiceOptions none() {
-        return new ServiceOptions(false, null, null);
+        return new ServiceOptions(false, null, null, seconds(USUAL_PRESS_AGE));
     }
 
     /** The options given to a program. */
@@ -55,12 +75,13 @@ public record ServiceOptions(
         return new ServiceOptions(
                 settings.isOn(START),
                 settings.get(NAME).orElse(null),
-                settings.get(JOURNAL).orElse(null));
+                settings.get(JOURNAL).orElse(null),
+                settings.get(PRESS_AGE).orElseThrow());
     }
 
     /** A copy for a program that opens its loop at once, and continues when its standard input ends. */
     public ServiceOptions withStart() {
-        return new ServiceOptions(true, name, journal);
+        return new ServiceOptions(true, name, journal, pressAge);
     }
 
     /**
@@ -69,6 +90,6 @@ public record ServiceOptions(
      * @throws IllegalArgumentException if it is not a name
      */
     public ServiceOptions withName(String instance) {
-        return new ServiceOptions(start, instance, journal);
+        return new ServiceOptions(start, instance, journal, pressAge);
     }
 }

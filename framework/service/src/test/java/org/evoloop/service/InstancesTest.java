@@ -49,7 +49,7 @@ class InstancesTest {
         ServiceOptions options = ServiceOptions.of(
                 ServiceOptions.OPTIONS.read(List.of("--name", "lamp-2", "--start", "--journal", "kept"), Map.of()));
 
-        assertThat(options).isEqualTo(new ServiceOptions(true, "lamp-2", Path.of("kept")));
+        assertThat(options).isEqualTo(new ServiceOptions(true, "lamp-2", Path.of("kept"), Duration.ofSeconds(10)));
         assertThatThrownBy(() -> ServiceOptions.OPTIONS.read(List.of("--name", "a.b"), Map.of()))
                 .hasMessage("--name: 'a.b' is not a name for an instance; use letters, digits, - and _, and no - in "
                         + "front, as in living-room");
