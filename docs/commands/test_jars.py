@@ -59,6 +59,11 @@ class JarsTest(unittest.TestCase):
                 licences = [entry for entry in inside.namelist() if entry.startswith("META-INF/licenses/slf4j-api-")]
                 self.assertTrue(any(entry.endswith("/LICENSE.txt") for entry in licences), licences)
 
+    def test_no_jdk_warns_of_the_libraries_that_a_runnable_jar_loads(self) -> None:
+        for name in (*GIVEN_AWAY, "fleet/target/fleet.jar"):
+            with ZipFile(ROOT / name) as inside, self.subTest(jar=name):
+                self.assertIn(b"\r\nEnable-Native-Access: ALL-UNNAMED\r\n", inside.read("META-INF/MANIFEST.MF"))
+
 
 if __name__ == "__main__":
     unittest.main()

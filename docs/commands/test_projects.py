@@ -16,6 +16,7 @@ from repository import SCAFFOLDED, Repository
 from test_commands import BUILDS_PROJECTS, LIMIT_S, ROOT
 
 PROJECTS = ("maven", "kotlin")
+MAVEN = Path("/usr/bin/mvn")
 TOOL = ROOT / "framework" / "models" / "target" / "evoloop-models.jar"
 
 
@@ -39,6 +40,31 @@ class ProjectsTest(unittest.TestCase):
                 # Kotlin's daemon would outlive the test.
                 said = self.repository.maven(project / "pom.xml", "verify", "-Dkotlin.compiler.daemon=false")
                 self.assertRegex(said, re.compile(r"Tests run: 1, Failures: 0, Errors: 0, Skipped: 0$", re.MULTILINE))
+
+    @unittest.skipUnless(MAVEN.exists(), "Debian's package maven is not installed")
+    def test_what_the_documentation_prints_works_with_debians_maven(self) -> None:
+        """As the POM of a project, and the project's own POM. This Maven has one local repository only."""
+        repository = self.folder / "one"
+        for part in (Path.home() / ".m2" / "repository", self.repository.folder):
+            shutil.copytree(part, repository, dirs_exist_ok=True)
+        page = (ROOT / "docs" / "artifacts.md").read_text(encoding="utf-8")
+        printed = re.findall(r"^```xml\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)[0]
+        names = "<groupId>com.example</groupId><artifactId>lamp</artifactId><version>1.0</version>"
+        project = self.folder / "debian"
+        shutil.copytree(ROOT / "docs" / "projects" / "maven", project)
+        own = (project / "pom.xml").read_text(encoding="utf-8")
+        for pom in (own, f"<project><modelVersion>4.0.0</modelVersion>{names}{printed}</project>"):
+            with self.subTest(pom=pom):
+                (project / "pom.xml").write_text(pom, encoding="utf-8")
+                result = subprocess.run(
+                    [MAVEN, "-B", f"-Dmaven.repo.local={repository}", "clean", "verify"],
+                    cwd=project,
+                    capture_output=True,
+                    encoding="utf-8",
+                    timeout=LIMIT_S,
+                )
+                self.assertEqual(result.returncode, 0, result.stdout[-3000:])
+                self.assertRegex(result.stdout, re.compile(r"Tests run: 1, Failures: 0, Errors: 0, Skipped: 0$", re.MULTILINE))
 
     @unittest.skipUnless(shutil.which("gradle"), "there is no gradle")
     def test_gradle_builds_one_and_passes_its_test(self) -> None:

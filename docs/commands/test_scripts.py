@@ -25,6 +25,15 @@ class LocaleTest(unittest.TestCase):
         self.assertIn("/tmp/café", result.stdout)
 
 
+class FreshTest(unittest.TestCase):
+    def test_another_release_is_refused_at_once(self) -> None:
+        result = subprocess.run(
+            [ROOT / "evoloop", "test", "--fresh", "trixie", "sid"], capture_output=True, encoding="utf-8", timeout=LIMIT_S
+        )
+        said = "evoloop: test --fresh: 'sid' is neither bookworm nor trixie\n"
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (2, "", said))
+
+
 class OptionsFileTest(unittest.TestCase):
     COMMON = ROOT / "framework/package/root/usr/lib/evoloop/common"
 

@@ -120,7 +120,7 @@ hidden byte i, j, k, at_state, before_state, target, number;
 hidden byte entries; /* visits that began during the current input */
 hidden byte kept_fact[FACTS];
 hidden byte noted_id, noted_event, noted_source, ended_kind, timer;
-hidden byte flag, sure, as_planned, goes_on, possible, was_sending;
+hidden byte flag, sure, as_planned, goes_on, leaves, possible, was_sending;
 hidden int code;
 
 #define COPY(to, from_) to.id = from_.id; to.kind = from_.kind; to.what = from_.what; to.source = from_.source; \
@@ -442,11 +442,18 @@ inline can_have_happened(source, event, last) {
 
 inline leave() { over = 1 }
 
+/* No function runs while the device is sent to where the new model is: the state is entered after that. */
+#define SETTLING ((busy && work.kind == EVOLVED) || line[0].kind == EVOLVED || line[1].kind == EVOLVED || line[2].kind == EVOLVED)
+
 inline enter() {
-  entries++;
-  over = 0;
   armed = timer_table[IX(pair, 0, system_at, 0)] != NONE;
-  another_visit()
+  if
+  :: SETTLING -> skip
+  :: else ->
+    entries++;
+    over = 0;
+    another_visit()
+  fi
 }
 
 /* Occurrences of the present visit become those of a former one. */
@@ -461,7 +468,6 @@ inline another_visit() {
 
 /* Ledger.enterAsLeft: the visit's waiting occurrences pass to the next visit. */
 inline enter_as_left() {
-  entries++;
   i = 0;
   do
   :: i < waiting ->
@@ -471,12 +477,15 @@ inline enter_as_left() {
   :: else -> break
   od;
   armed = armed && timer_table[IX(pair, 0, system_at, 0)] != NONE;
-  over = 0
+  if
+  :: SETTLING -> skip
+  :: else -> entries++; over = 0
+  fi
 }
 
 inline enter_again(kind_) {
   if
-  :: over && open && !(waiting > 0 && line[0].attempts > 0) ->
+  :: over && open && !(waiting > 0 && line[0].attempts > 0) && !SETTLING ->
     if
     :: kind_ == EVOLVED -> enter_as_left()
     :: else -> enter()

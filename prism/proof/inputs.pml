@@ -10,7 +10,7 @@ inline opened() {
   :: busy && stage == INTERRUPTED && decided && LEAVES(plan) -> skip
   :: else ->
     if
-    :: !over -> enter_as_left()
+    :: !over -> leave(); enter_as_left()
     :: else -> enter()
     fi
   fi

@@ -266,14 +266,15 @@ inline took_late(id_, in_order) {
 inline arrive() {
   system_at = AFTER(plan);
   owed = owed || (work.from != NONE && late && !STANDS_TOGETHER(device_at, system_at));
-  if
-  :: LEAVES(plan) -> enter()
-  :: else -> skip
-  fi;
   ended_kind = work.kind;
   flag = KIND(plan) == IMPOSSIBLE && HAS_TRANSITION(plan);
+  leaves = LEAVES(plan);
   may_part = may_part || KIND(plan) == IMPOSSIBLE || work.kind == ASKED;
   end_work();
+  if
+  :: leaves -> enter()
+  :: else -> skip
+  fi;
   ended();
   if
   :: flag -> leave()

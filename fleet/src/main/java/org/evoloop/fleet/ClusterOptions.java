@@ -1,6 +1,8 @@
 package org.evoloop.fleet;
 
+import io.micrometer.core.instrument.binder.MeterBinder;
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.nio.charset.MalformedInputException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -11,21 +13,20 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.TreeMap;
 import java.util.concurrent.ExecutionException;
+import java.util.function.Supplier;
 import org.apache.kafka.clients.consumer.ConsumerConfig;
 import org.apache.kafka.clients.consumer.ConsumerRecord;
 import org.apache.kafka.clients.consumer.KafkaConsumer;
 import org.apache.kafka.clients.producer.KafkaProducer;
-import org.apache.kafka.clients.producer.ProducerConfig;
 import org.apache.kafka.clients.producer.ProducerRecord;
 import org.apache.kafka.common.KafkaException;
 import org.apache.kafka.common.TopicPartition;
-import org.apache.kafka.common.serialization.ByteArrayDeserializer;
-import org.apache.kafka.common.serialization.ByteArraySerializer;
-import org.apache.kafka.common.serialization.StringDeserializer;
-import org.apache.kafka.common.serialization.StringSerializer;
 import org.evoloop.fleet.device.Model;
+import org.evoloop.fleet.observe.Health;
+import org.evoloop.fleet.observe.ObservationServer;
 import org.evoloop.fleet.stream.FleetException;
 import org.evoloop.fleet.stream.FleetTopics;
+import org.evoloop.fleet.stream.KafkaCluster;
 import org.evoloop.fleet.wire.ModelRecord;
 import org.evoloop.fleet.wire.Topic;
 import org.jspecify.annotations.Nullable;
@@ -33,6 +34,15 @@ import picocli.CommandLine.Option;
 
 /** The options that name the fleet of a command, and writing to that fleet. */
 final class ClusterOptions {
+    /** What the option of that name does. */
+    static final String KAFKA_CONFIG = "A file of properties with what Kafka's clients need to connect, such as"
+            + " security.protocol for TLS and SASL (default: none is needed).";
+
+    /** What the option {@code --metrics} does. */
+    static final String METRICS =
+            "Serves /metrics for Prometheus and /health, which answers 200 or 503, over HTTP; only on"
+                    + " this machine unless HOST is given (default: nothing listens).";
+
     private static final Duration POLL = Duration.ofMillis(200);
 
     @Option(
@@ -43,6 +53,9 @@ final class ClusterOptions {
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String bootstrap;
 
+    @Option(names = "--kafka-config", paramLabel = "FILE", description = KAFKA_CONFIG)
+    private @Nullable Path kafkaConfig;
+
     @Option(
             names = "--name",
             paramLabel = "NAME",
@@ -51,14 +64,34 @@ final class ClusterOptions {
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String fleet;
 
-    /** The address of a broker, as HOST:PORT. */
-    String bootstrap() {
-        return bootstrap;
+    /**
+     * The cluster.
+     *
+     * @throws FleetException if the file of settings cannot be used
+     */
+    KafkaCluster cluster() {
+        return cluster(bootstrap, kafkaConfig);
+    }
+
+    static KafkaCluster cluster(String bootstrap, @Nullable Path kafkaConfig) {
+        return kafkaConfig == null ? KafkaCluster.at(bootstrap) : KafkaCluster.at(bootstrap, kafkaConfig);
     }
 
     /** The fleet's name. */
     String fleet() {
         return fleet;
+    }
+
+    /** The server for {@code --metrics}; null if that was not given. */
+    static @Nullable ObservationServer observed(
+            @Nullable String address, MeterBinder metrics, Supplier<Health> health) {
+        return address == null ? null : ObservationServer.open(address, metrics, health);
+    }
+
+    static void announce(@Nullable ObservationServer server, PrintWriter log) {
+        if (server != null) {
+            log.println("evoloop: metrics and health are at " + server.url() + "/metrics and /health");
+        }
     }
 
     /** @throws FleetException if there is no such file, or it is not text */
@@ -76,7 +109,7 @@ final class ClusterOptions {
 
     /** @throws FleetException if topics of the fleet are missing or do not fit */
     void check() {
-        try (FleetTopics topics = new FleetTopics(bootstrap, fleet)) {
+        try (FleetTopics topics = new FleetTopics(cluster(), fleet)) {
             topics.check();
         }
     }
@@ -112,14 +145,8 @@ final class ClusterOptions {
         check();
         TopicPartition all = new TopicPartition(topic.of(fleet), 0);
         Map<String, byte[]> last = new TreeMap<>();
-        try (KafkaConsumer<String, byte[]> consumer = new KafkaConsumer<>(
-                Map.of(
-                        ConsumerConfig.BOOTSTRAP_SERVERS_CONFIG,
-                        bootstrap,
-                        ConsumerConfig.ISOLATION_LEVEL_CONFIG,
-                        "read_committed"),
-                new StringDeserializer(),
-                new ByteArrayDeserializer())) {
+        try (KafkaConsumer<String, byte[]> consumer =
+                cluster().consumer(Map.of(ConsumerConfig.ISOLATION_LEVEL_CONFIG, "read_committed"))) {
             consumer.assign(List.of(all));
             consumer.seekToBeginning(List.of(all));
             long end = consumer.endOffsets(List.of(all)).getOrDefault(all, 0L);
@@ -144,10 +171,7 @@ final class ClusterOptions {
     /** Writes these records, and waits until all are written. */
     void write(Topic topic, Map<String, byte[]> records) throws InterruptedException {
         check();
-        try (KafkaProducer<String, byte[]> producer = new KafkaProducer<>(
-                Map.of(ProducerConfig.BOOTSTRAP_SERVERS_CONFIG, bootstrap),
-                new StringSerializer(),
-                new ByteArraySerializer())) {
+        try (KafkaProducer<String, byte[]> producer = cluster().producer(Map.of())) {
             for (Map.Entry<String, byte[]> record : records.entrySet()) {
                 producer.send(new ProducerRecord<>(topic.of(fleet), record.getKey(), record.getValue()))
                         .get();

@@ -7,11 +7,14 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import org.evoloop.console.TerminationSignals;
 import org.evoloop.fleet.gateway.Gateway;
+import org.evoloop.fleet.observe.Health;
+import org.evoloop.fleet.observe.ObservationServer;
 import org.evoloop.fleet.stream.UnreachableException;
 import org.evoloop.mqtt.BrokerAddress;
 import org.evoloop.mqtt.MqttOptions;
 import org.evoloop.mqtt.edge.EdgeDevice;
 import org.evoloop.mqtt.edge.Outbox;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -77,6 +80,9 @@ final class GatewayCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String name;
 
+    @Option(names = "--metrics", paramLabel = "[HOST:]PORT", description = ClusterOptions.METRICS)
+    private @Nullable String metrics;
+
     @Override
     public Integer call() throws InterruptedException {
         EdgeDevice.requireTopicName("--gateway", name);
@@ -90,10 +96,15 @@ final class GatewayCommand implements Callable<Integer> {
         BrokerAddress broker = MqttOptions.brokerAt(mqtt);
         check();
         try (Gateway gateway =
-                new Gateway(cluster.bootstrap(), cluster.fleet(), name, broker, devices, directory, how -> {
-                    spec.commandLine().getOut().println(how);
-                    spec.commandLine().getOut().flush();
-                })) {
+                        new Gateway(cluster.cluster(), cluster.fleet(), name, broker, devices, directory, how -> {
+                            spec.commandLine().getOut().println(how);
+                            spec.commandLine().getOut().flush();
+                        });
+                ObservationServer observed = ClusterOptions.observed(
+                        metrics,
+                        gateway.metrics(),
+                        () -> new Health(gateway.reachesKafka() && gateway.reachesDevices(), gateway.describe()))) {
+            ClusterOptions.announce(observed, spec.commandLine().getErr());
             CountDownLatch ended = new CountDownLatch(1);
             TerminationSignals signals = new TerminationSignals(signal -> ended.countDown());
             gateway.start();

@@ -9,16 +9,20 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.apache.kafka.clients.admin.Admin;
+import org.apache.kafka.common.config.ConfigResource;
 import org.awaitility.Awaitility;
 import org.evoloop.fleet.stream.Fleet;
 import org.evoloop.fleet.stream.FleetSettings;
+import org.evoloop.fleet.stream.KafkaCluster;
+import org.evoloop.fleet.stream.TopicSettings;
 import org.evoloop.fleet.wire.Topic;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import picocli.CommandLine;
 
 /** A mistake on the command line gives one message, and exit status 2. */
 class FleetCommandTest {
@@ -29,10 +33,7 @@ class FleetCommandTest {
     private final StringWriter err = new StringWriter();
 
     private int run(String... arguments) {
-        CommandLine line = Main.commandLine();
-        line.setOut(new PrintWriter(out, true));
-        line.setErr(new PrintWriter(err, true));
-        return line.execute(arguments);
+        return CommandLines.run(new PrintWriter(out, true), new PrintWriter(err, true), arguments);
     }
 
     @Test
@@ -123,7 +124,7 @@ class FleetCommandTest {
                 "The session timeout is not within the range",
                 with(cluster, "fleet", "--session-ms", "900", "--state-dir", directory.toString()));
         FleetSettings settings = FleetSettings.defaults().withFleet(cluster[3]).withStateDirectory(directory);
-        try (Fleet first = new Fleet(Brokers.shared(), settings)) {
+        try (Fleet first = new Fleet(KafkaCluster.at(Brokers.shared()), settings)) {
             mistake(
                     "each instance on a computer needs its own, given with --state-dir",
                     with(cluster, "fleet", "--state-dir", directory.toString()));
@@ -145,6 +146,54 @@ class FleetCommandTest {
                         "3"))
                 .isZero();
         assertThat(out.toString()).contains("the topics of the fleet '" + name + "' are there", "3 parts");
+    }
+
+    @Test
+    void topicsAreCreatedAsWanted() throws Exception {
+        String[] cluster = {"--bootstrap", Brokers.shared(), "--name", Brokers.freshFleet(), "--create-topics"};
+        mistake("the number of replicas is -1", with(cluster, "fleet", "--replicas", "-1"));
+        mistake("--replicas is 0; leave it out", with(cluster, "fleet", "--replicas", "0"));
+        mistake(
+                "cleanup.policy differs from topic to topic",
+                with(cluster, "fleet", "--topic-config", "cleanup.policy=x"));
+        mistake(
+                "does not create the topic " + cluster[3] + ".devices: Unable to replicate the partition 2 time(s)",
+                with(cluster, "fleet", "--replicas", "2"));
+        mistake(
+                "does not create the topic " + cluster[3] + ".devices: Unknown topic config name: nonsense",
+                with(cluster, "fleet", "--topic-config", "nonsense=1"));
+        String[] wanted = with(cluster, "fleet", "--replicas", "1", "--topic-config", "retention.ms=7200000");
+        assertThat(run(wanted)).isZero();
+        assertThat(run(wanted)).isZero();
+        out.getBuffer().setLength(0);
+        mistake(
+                cluster[3] + ".effects has retention.ms=7200000, not 5",
+                with(cluster, "fleet", "--topic-config", "retention.ms=5"));
+        mistake(cluster[3] + ".effects has 1 replicas, not 3", with(cluster, "fleet", "--replicas", "3"));
+    }
+
+    @Test
+    void aFleetsOwnTopicsAreCreatedAsWanted() throws Exception {
+        String[] cluster = {"--bootstrap", Brokers.shared(), "--name", Brokers.freshFleet()};
+        assertThat(run(with(cluster, "fleet", "--create-topics", "--partitions", "1")))
+                .isZero();
+        FleetSettings settings = FleetSettings.defaults()
+                .withFleet(cluster[3])
+                .withStateDirectory(directory)
+                .withTopics(new TopicSettings(1, Map.of("segment.ms", "3600000")));
+        try (Fleet fleet = new Fleet(KafkaCluster.at(Brokers.shared()), settings);
+                Admin admin = Admin.create(Map.of("bootstrap.servers", Brokers.shared()))) {
+            fleet.start();
+            assertThat(fleet.awaitRunning(Duration.ofMinutes(1))).isTrue();
+            ConfigResource changelog = new ConfigResource(ConfigResource.Type.TOPIC, cluster[3] + "-devices-changelog");
+            assertThat(admin.describeConfigs(List.of(changelog))
+                            .all()
+                            .get()
+                            .get(changelog)
+                            .get("segment.ms")
+                            .value())
+                    .isEqualTo("3600000");
+        }
     }
 
     @Test
@@ -185,7 +234,7 @@ class FleetCommandTest {
     void aRolloutIsRolledBackInAllDevicesThatItIncludes() throws Exception {
         String name = Brokers.freshFleet();
         String[] cluster = {"--bootstrap", Brokers.shared(), "--name", name};
-        try (Cluster records = new Cluster(Brokers.shared(), name, 1)) {
+        try (Cluster records = new Cluster(KafkaCluster.at(Brokers.shared()), name, 1)) {
             for (String version : List.of("lamp-1", "lamp-2", "lamp-3")) {
                 records.write(Topic.MODELS, version, Models.LAMP.bytes());
             }

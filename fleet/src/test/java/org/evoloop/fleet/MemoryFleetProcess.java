@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import org.evoloop.fleet.stream.Fleet;
 import org.evoloop.fleet.stream.FleetSettings;
+import org.evoloop.fleet.stream.KafkaCluster;
 
 /**
  * An instance that keeps its devices in memory, in a separate process, which can be killed; its arguments are the broker,
@@ -18,7 +19,7 @@ public final class MemoryFleetProcess {
                 .withSession(Duration.ofMillis(Long.parseLong(arguments[2])))
                 .withStateDirectory(Path.of(arguments[3]))
                 .withDevicesInMemory();
-        try (Fleet fleet = new Fleet(arguments[0], settings)) {
+        try (Fleet fleet = new Fleet(KafkaCluster.at(arguments[0]), settings)) {
             fleet.start();
             fleet.awaitEnd();
         }

@@ -101,10 +101,11 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
     public void changed(Circumstances before, Circumstances now, EstimatedActivity doing) {
         boolean same =
                 RobotEvents.stateName(original, activity, before).equals(RobotEvents.stateName(original, doing, now));
+        boolean wasDocked = RobotEvents.isDocked(activity, before);
         activity = doing;
         circumstances = now;
         if (!same) {
-            List<String> events = changes(before, now);
+            List<String> events = changes(before, wasDocked, now, RobotEvents.isDocked(doing, now));
             events.forEach(this::pushFromDevice);
             if (known.containsAll(events) && !now.asleep()) {
                 // A finding must not overtake the work that these events start.
@@ -136,7 +137,7 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
         }
     }
 
-    private static List<String> changes(Circumstances before, Circumstances now) {
+    private static List<String> changes(Circumstances before, boolean wasDocked, Circumstances now, boolean isDocked) {
         if (now.asleep()) {
             return List.of(RobotEvents.ASLEEP);
         }
@@ -145,15 +146,10 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
             changes.add(RobotEvents.AWAKE);
         }
         change(changes, before.inTrouble(), now.inTrouble(), RobotEvents.ERROR, RobotEvents.RECOVERED);
-        change(changes, before.docked(), now.docked(), RobotEvents.DOCKED, RobotEvents.UNDOCKED);
-        if (now.docked()) {
+        change(changes, wasDocked, isDocked, RobotEvents.DOCKED, RobotEvents.UNDOCKED);
+        if (isDocked) {
             // A robot that has just reached its dock is assumed to charge.
-            change(
-                    changes,
-                    !before.docked() || before.filling(),
-                    now.filling(),
-                    RobotEvents.CHARGING,
-                    RobotEvents.CHARGED);
+            change(changes, !wasDocked || before.filling(), now.filling(), RobotEvents.CHARGING, RobotEvents.CHARGED);
         }
         return changes;
     }

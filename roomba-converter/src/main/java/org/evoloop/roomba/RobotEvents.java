@@ -101,12 +101,19 @@ final class RobotEvents {
         if (circumstances.inTrouble() && activity != EstimatedActivity.STANDBY) {
             return activity.isWork() ? List.of(STATE_ERROR, working(activity)) : List.of(STATE_ERROR, idle);
         }
-        if (circumstances.docked() && (!activity.isWork() || activity == EstimatedActivity.DOCK)) {
+        if (isDocked(activity, circumstances)) {
             return List.of(circumstances.filling() ? STATE_CHARGING : STATE_CHARGED, STATE_CHARGING, idle);
         }
         return activity == EstimatedActivity.MAX
                 ? List.of(MAX, STATE_CLEAN)
                 : List.of(activity.isWork() ? working(activity) : idle);
+    }
+
+    /**
+     * Whether the robot is on its dock to stay. One that begins to work there still shows the dock until it has left it.
+     */
+    static boolean isDocked(EstimatedActivity activity, Circumstances circumstances) {
+        return circumstances.docked() && (!activity.isWork() || activity == EstimatedActivity.DOCK);
     }
 
     private static String working(EstimatedActivity activity) {

@@ -15,7 +15,6 @@ import org.evoloop.config.Options;
 import org.evoloop.config.Settings;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
-import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.link.Link;
 import org.evoloop.link.SerialLink;
 import org.evoloop.link.SerialSettings;
@@ -29,6 +28,8 @@ import org.evoloop.program.CommandOptions;
 import org.evoloop.roomba.session.SessionOptions;
 import org.evoloop.roomba.simulator.SimulatorServer;
 import org.evoloop.roomba.simulator.WorldCommands;
+import org.evoloop.roomba.simulator.room.Room;
+import org.evoloop.roomba.simulator.room.RoomFile;
 import org.evoloop.service.Service;
 import org.evoloop.service.ServiceOptions;
 import org.evoloop.statemachine.Names;
@@ -67,6 +68,16 @@ final class RoombaCommand implements Callable<Integer> {
     private @Nullable Double speed;
 
     @Option(
+            names = "--room",
+            paramLabel = "FILE",
+            description = "With --simulate: the room in which the robot lives, a file as in simulator --help, or "
+                    + RoomFile.LIVING_ROOM_NAME + ", which has a dock and a marker (default: "
+                    + RoomFile.LIVING_ROOM_NAME + ").")
+    private @Nullable String room;
+
+    private Room world = Room.OPEN;
+
+    @Option(
             names = "--mode-offset",
             paramLabel = "N",
             description = "What the robot adds to the mode it reports: 1 for some 600 models with Wi-Fi, else 0 "
@@ -95,6 +106,10 @@ final class RoombaCommand implements Callable<Integer> {
     Settings configure(CommandLine line, List<String> arguments) {
         CommandOptions own = ConverterOptions.refined(new CommandOptions(line, Main::isUsersMistake))
                 .check("speed", text -> requireSpeed(Double.parseDouble(text)))
+                .placed(
+                        "room",
+                        (folder, text) ->
+                                text.equals(RoomFile.LIVING_ROOM_NAME) ? text : CommandOptions.resolved(folder, text))
                 .placed("port", (folder, text) -> text.contains("/") ? CommandOptions.resolved(folder, text) : text)
                 .alternatives("port", "simulate");
         settings = Options.named("roomba", "")
@@ -116,6 +131,13 @@ final class RoombaCommand implements Callable<Integer> {
         if (wanted != null && wanted != 1 && port != null && !simulate) {
             mistakes.add("--speed goes with --simulate; a real robot has its own pace");
         }
+        String named = room;
+        if (named != null && port != null && !simulate) {
+            mistakes.add("--room goes with --simulate; a real robot is in a room already");
+        }
+        Room read = mistakes.tried(
+                "room", Main::isUsersMistake, () -> RoomFile.named(named == null ? RoomFile.LIVING_ROOM_NAME : named));
+        world = read == null ? Room.OPEN : read;
         options.check(simulate || undecided, mistakes);
     }
 
@@ -126,8 +148,9 @@ final class RoombaCommand implements Callable<Integer> {
             if (robotPort != null) {
                 return converse(service, robotPort, null);
             }
-            try (SimulatedWorld world = SimulatedWorld.inThisProcess(pace(), options.wantsSimulatedCamera())) {
-                return converse(service, world.port().toString(), world);
+            try (SimulatedWorld simulated =
+                    SimulatedWorld.inThisProcess(pace(), options.wantsSimulatedCamera(), world)) {
+                return converse(service, simulated.port().toString(), simulated);
             }
         }
     }
@@ -210,10 +233,8 @@ final class RoombaCommand implements Callable<Integer> {
 
     private void showAtHome(RoombaConverter roomba, Console console) {
         MqttOptions.broker(settings).ifPresent(broker -> {
-            SystemEventConverter converter = roomba.converter();
             HomeAssistant home = new HomeAssistant(console, broker);
-            home.vacuum(new RoombaVacuum(
-                    home, roomba.session(), () -> converter.knowledge().models()));
+            home.vacuum(new RoombaVacuum(home, roomba.session(), roomba.converter()));
             home.open();
             console.onEnd(reason -> home.close());
         });

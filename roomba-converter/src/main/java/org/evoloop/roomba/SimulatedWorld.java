@@ -21,6 +21,7 @@ import org.evoloop.roomba.simulator.WorldCommands;
 import org.evoloop.roomba.simulator.drawing.RoomDrawing;
 import org.evoloop.roomba.simulator.drawing.Trail;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
+import org.evoloop.roomba.simulator.room.Room;
 import org.evoloop.roomba.simulator.room.RoomFile;
 import org.evoloop.roomba.simulator.webcam.Webcam;
 import org.evoloop.roomba.simulator.webcam.WebcamOptions;
@@ -75,20 +76,31 @@ interface SimulatedWorld extends AutoCloseable {
     /**
      * A robot in this process.
      *
-     * @param camera whether it has a camera, in a room with a marker
+     * @param camera whether it has a camera, in a room with a marker; otherwise it is on an open plain
      * @throws IOException if this system has no pseudo-terminals
      */
     static SimulatedWorld inThisProcess(double speed, boolean camera) throws IOException {
         Path folder = Files.createTempDirectory("evoloop");
+        return inThisProcess(folder, speed, camera, camera ? RoomFile.read(markedRoom(folder)) : Room.OPEN);
+    }
+
+    /**
+     * A robot in this process, in a room.
+     *
+     * @param camera whether it has a camera
+     * @throws IOException if this system has no pseudo-terminals
+     */
+    static SimulatedWorld inThisProcess(double speed, boolean camera, Room room) throws IOException {
+        return inThisProcess(Files.createTempDirectory("evoloop"), speed, camera, room);
+    }
+
+    private static SimulatedWorld inThisProcess(Path folder, double speed, boolean camera, Room room)
+            throws IOException {
         Clock clock = new SystemClock();
-        RobotOptions.Builder options = RobotOptions.builder();
-        if (camera) {
-            options.room(RoomFile.read(markedRoom(folder)));
-        }
         Trail trail = new Trail();
         SimulatorServer server = SimulatorServer.start(
                 folder.resolve("roomba"),
-                options.build(),
+                RobotOptions.builder().room(room).build(),
                 clock,
                 speed,
                 trail,
@@ -147,6 +159,8 @@ interface SimulatedWorld extends AutoCloseable {
         Path drawing = folder.resolve(DRAWING);
         List<String> command = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                // As in the program's manifest, which counts only with -jar.
+                "--enable-native-access=ALL-UNNAMED",
                 "-cp",
                 System.getProperty("java.class.path"),
                 Main.class.getName(),

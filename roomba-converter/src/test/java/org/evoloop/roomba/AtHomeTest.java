@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.evoloop.mqtt.Mosquitto;
 import org.evoloop.mqtt.Watcher;
@@ -34,6 +35,8 @@ class AtHomeTest {
                     log, "--simulate", "--speed", "10", "--start", "--spot-wait", "20", "--mqtt", broker.url());
             try {
                 watcher.awaitNewest(VACUUM, "idle");
+                assertThat(watcher.newest("homeassistant/device/evoloop_roomba/config"))
+                        .contains("\"supported_features\":[\"start\",\"stop\",\"pause\",\"clean_spot\",\"locate\",");
                 watcher.publish(COMMAND, "start", false);
                 watcher.awaitNewest(VACUUM, "cleaning");
                 watcher.awaitNewest(STATE, "\"device_state\":\"Clean\"");
@@ -58,6 +61,48 @@ class AtHomeTest {
             assertThat(Files.readString(log).lines())
                     .noneMatch(line -> line.contains("WARN") && !line.contains("in doubt"))
                     .noneMatch(line -> line.contains("Exception"));
+        }
+    }
+
+    @Test
+    void onItsDockItStaysUntilItIsStartedAndIsThenNotDockedAgain() throws Exception {
+        String models = Path.of(System.getProperty("evoloop.root"), "models/roomba.xml") + "#";
+        try (Mosquitto broker = new Mosquitto(folder).start();
+                Watcher watcher = new Watcher(broker)) {
+            Process roomba = Program.startWithLog(
+                    folder.resolve("roomba.log"),
+                    "--simulate",
+                    "--speed=10",
+                    "--start",
+                    "--mqtt=" + broker.url(),
+                    "--original=" + models + "original",
+                    "--new=" + models + "home");
+            try {
+                watcher.awaitNewest(VACUUM, "idle");
+                OtherRobot.type(roomba, "robot dock\n");
+                watcher.awaitNewest(VACUUM, "docked");
+                for (String command : List.of("stop", "pause", "return_to_base")) {
+                    watcher.publish(COMMAND, command, false);
+                }
+                // The dock's button does nothing on the dock; it is decided after whatever the commands have pressed.
+                watcher.publish("evoloop/roomba/press", "Dock", false);
+                watcher.awaitHeard(DECISION, "\"event\":\"Dock\"");
+                assertThat(watcher.heard())
+                        .filteredOn(line -> line.contains("\"source\":\"controller\""))
+                        .hasSize(1);
+                watcher.publish(COMMAND, "start", false);
+                watcher.awaitNewest(VACUUM, "cleaning");
+                watcher.publish(COMMAND, "stop", false);
+                watcher.awaitNewest(VACUUM, "idle");
+                assertThat(watcher.heard())
+                        .filteredOn(line -> line.startsWith(VACUUM + " "))
+                        .containsSequence(VACUUM + " {\"state\":\"docked\"}", VACUUM + " {\"state\":\"cleaning\"}")
+                        .filteredOn(line -> line.contains("docked"))
+                        .hasSize(1);
+            } finally {
+                roomba.destroy();
+                assertThat(roomba.waitFor(60, TimeUnit.SECONDS)).isTrue();
+            }
         }
     }
 }

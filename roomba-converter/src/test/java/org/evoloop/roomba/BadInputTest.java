@@ -60,6 +60,8 @@ class BadInputTest {
                         + "allowed is 0.1 to 3600 seconds",
                 "--simulate --port /dev/x | error: choose a robot: --port PATH or --simulate",
                 "--speed 2 --port /dev/x | error: --speed goes with --simulate; a real robot has its own pace",
+                "--room living-room --port /dev/x | error: --room goes with --simulate; a real robot is in a room already",
+                "--simulate --room none.txt | error: none.txt: cannot be read; it must be an existing, readable text file",
                 "--simulate --speed 0 | error: --speed is 0.0, allowed is 0.01 to 1000.0 times real time",
                 "--simulate --speed fast | error: --speed: 'fast' is not a number",
                 "--simulate --start-point 1 | error: --start-point takes two numbers, X,Y in mm, for example 1000,500",

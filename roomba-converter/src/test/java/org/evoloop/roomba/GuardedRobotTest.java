@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Random;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.evoloop.JavaProcess;
 import org.evoloop.roomba.OtherRobot.Truth;
@@ -198,6 +199,22 @@ class GuardedRobotTest {
     void theRobotStopsAfterEachOfAHundredKillsAndTwentyFreezes() throws Exception {
         kill(100);
         freeze(20);
+    }
+
+    @Test
+    void aFrozenGuardIsReplacedAndTheNextOneStopsTheRobot() throws Exception {
+        Process converter = startUntil(GuardedRobotTest::isMove, MOVE);
+        ProcessHandle guard = converter.children().findFirst().orElseThrow();
+        assertThat(new ProcessBuilder("bash", "-c", "kill -STOP " + guard.pid())
+                        .start()
+                        .waitFor())
+                .isZero();
+        // Within a second; a busy computer gets some more.
+        guard.onExit().get(4, TimeUnit.SECONDS);
+        robot.await("another one guards", now -> converter.children().anyMatch(ProcessHandle::isAlive));
+        Truth before = driveOn();
+        converter.destroyForcibly();
+        assertMadeSafe(before);
     }
 
     @Test

@@ -9,8 +9,12 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import org.evoloop.RoombaPair;
 import org.evoloop.converter.HistoryEntry;
+import org.evoloop.converter.Trouble;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.function.Reading;
+import org.evoloop.mqtt.BrokerAddress;
+import org.evoloop.mqtt.HomeAssistant;
+import org.evoloop.mqtt.Vacuum;
 import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.roomba.oi.Button;
@@ -19,6 +23,8 @@ import org.evoloop.roomba.simulator.robot.RobotActivity;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** A day of a robot with {@code models/roomba.xml#home}. */
 class HomeTest {
@@ -98,6 +104,44 @@ class HomeTest {
         until("Spot", "Spot", 60);
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {RobotEvents.CLEAN, RobotEvents.MAX, RobotEvents.SCHEDULE})
+    void whileItLeavesItsDockTheDockIsNoNews(String event) {
+        roomba.robot.dock();
+        until("Charging", "Charging", 3);
+        roomba.advance(Duration.ofSeconds(2));
+        int before = roomba.roomba.converter().history().size();
+
+        roomba.press(event).advance(Duration.ofSeconds(8));
+
+        assertThat(roomba.truth().surroundings().docked()).isFalse();
+        assertThat(roomba.roomba.converter().history().stream().skip(before))
+                .extracting(entry -> entry.occurrence().label())
+                .containsExactlyElementsOf(
+                        event.equals(RobotEvents.SCHEDULE) ? List.of(event, RobotEvents.QUIET_OVER) : List.of(event));
+    }
+
+    @Test
+    void aRobotThatFallsSilentOnItsDockIsAsleep() {
+        roomba.robot.dock();
+        until("Charging", "Charging", 3);
+
+        roomba.mute(true);
+        until("Asleep", "Asleep", 5);
+        assertThat(roomba.roomba.session().isUp()).isTrue();
+        assertThat(vacuum().activity(roomba.roomba.converter().status())).isEqualTo(Vacuum.Activity.DOCKED);
+
+        roomba.mute(false);
+        until("Charged", "Charged", 10);
+    }
+
+    private RoombaVacuum vacuum() {
+        return new RoombaVacuum(
+                new HomeAssistant(roomba.roomba.converter(), BrokerAddress.parse("mqtt://localhost")),
+                roomba.roomba.session(),
+                roomba.roomba.converter());
+    }
+
     @Test
     void anUnusedRobotSleepsAndIsWokenByTheNextEvent() {
         switchOn();
@@ -170,6 +214,8 @@ class HomeTest {
         roomba.robot.lift();
         until("Error", "Error", 2);
         assertThat(readings()).containsEntry("lifted", true).containsEntry("error", "a wheel hangs in the air");
+        assertThat(roomba.roomba.converter().status().troubles())
+                .containsExactly(new Trouble(Trouble.DEVICE, "a wheel hangs in the air", 1));
 
         roomba.robot.setDown();
 

@@ -7,6 +7,7 @@ import static org.evoloop.roomba.SteppedRoomba.at;
 
 import java.time.Duration;
 import org.evoloop.PaperPair;
+import org.evoloop.converter.Trouble;
 import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.simulator.robot.RobotActivity;
 import org.evoloop.roomba.simulator.room.Pose;
@@ -22,6 +23,11 @@ class MoveEndsTest {
         try (MoveTrip trip = new MoveTrip(room(pose(1_500, 1_000, 0)), null, PaperPair.cleaningRobot(), soon, 1)) {
             trip.advance(Duration.ofSeconds(6));
             assertThat(trip.stepped.states()).isEqualTo(at("On", "On"));
+            assertThat(trip.stepped.roomba.converter().status().troubles())
+                    .containsExactly(new Trouble(
+                            "function Move",
+                            "Move.function: ended before the starting point: not found within 5 s",
+                            1));
             trip.stepped.press(RobotEvents.SPOT);
             assertThat(trip.isMoving()).as("it can be tried again").isTrue();
             trip.advance(Duration.ofSeconds(6));

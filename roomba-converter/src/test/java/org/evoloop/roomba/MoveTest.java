@@ -7,9 +7,12 @@ import static org.evoloop.roomba.MoveTrip.room;
 import static org.evoloop.roomba.SteppedRoomba.at;
 
 import java.time.Duration;
+import java.util.function.BooleanSupplier;
 import org.evoloop.PaperPair;
 import org.evoloop.roomba.move.MoveOptions;
+import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.OiMode;
+import org.evoloop.roomba.simulator.robot.RobotOptions;
 import org.evoloop.roomba.simulator.room.Pose;
 import org.evoloop.roomba.simulator.room.Room;
 import org.evoloop.roomba.simulator.room.Shape;
@@ -169,6 +172,34 @@ class MoveTest {
             trip.advance(Duration.ofSeconds(5));
             trip.stepped.replug();
             assertArrives(trip);
+        }
+    }
+
+    @Test
+    void theWheelsStopWhileTheRobotIsSilentAlthoughTheCameraSees() {
+        try (MoveTrip trip = MoveTrip.in(room(pose(1_000, 1_500, 0)), MARKER)) {
+            trip.untilItDrives();
+            trip.stepped.mute(true);
+            trip.advance(Duration.ofMillis(400));
+            assertThat(trip.stands()).isTrue();
+            assertThat(trip.truth().oiMode()).as("not stopped by asking anew").isEqualTo(OiMode.SAFE);
+            trip.advance(Duration.ofMillis(300));
+            assertThat(trip.stands()).isTrue();
+            trip.stepped.mute(false);
+            assertArrives(trip);
+        }
+    }
+
+    @Test
+    void theWheelsStopWhileTheRobotIsSilentOnItsWayByDeadReckoning() {
+        try (SteppedRoomba stepped = new SteppedRoomba(RobotOptions.defaults(), 2_000, 500)) {
+            stepped.robotPress(Button.CLEAN).robotPress(Button.SPOT);
+            BooleanSupplier drives =
+                    () -> stepped.truth().leftMmPerS() != 0 || stepped.truth().rightMmPerS() != 0;
+            stepped.until(drives, Duration.ofSeconds(10)).mute(true).advance(Duration.ofMillis(400));
+            assertThat(drives.getAsBoolean()).isFalse();
+            stepped.mute(false).until(drives, Duration.ofSeconds(1));
+            stepped.until(() -> stepped.states().equals(at("Spot", "Spot")), LIMIT);
         }
     }
 }

@@ -89,6 +89,8 @@ final class Program {
                 .collect(Collectors.joining(":"));
         List<String> command = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                // As in the program's manifest.
+                "--enable-native-access=ALL-UNNAMED",
                 "-XX:+UseSerialGC",
                 "-XX:TieredStopAtLevel=1",
                 "-Devoloop.home=" + System.getProperty("evoloop.root")));

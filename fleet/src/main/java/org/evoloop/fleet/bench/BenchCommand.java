@@ -10,6 +10,7 @@ import org.evoloop.fleet.broker.LocalBroker;
 import org.evoloop.fleet.demo.Latencies;
 import org.evoloop.fleet.program.Lamp;
 import org.evoloop.fleet.program.Scratch;
+import org.evoloop.fleet.stream.KafkaCluster;
 import org.evoloop.fleet.wire.ModelRecord;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -53,7 +54,7 @@ public final class BenchCommand implements Callable<Integer> {
         ModelRecord lamp = Lamp.waiting(3_600_000);
         try (Scratch scratch = new Scratch();
                 LocalBroker broker = LocalBroker.start(scratch.directory().resolve("broker"))) {
-            Throughput throughput = new Throughput(broker.bootstrap(), scratch.directory(), lamp);
+            Throughput throughput = new Throughput(KafkaCluster.at(broker.bootstrap()), scratch.directory(), lamp);
             int many = quick ? 100_000 : 1_000_000;
             say("warming up");
             for (int round = 0; round < WARM_UP_ROUNDS; round++) {
@@ -84,7 +85,7 @@ public final class BenchCommand implements Callable<Integer> {
             print(
                     "CPU time per event, many devices / 1,000: fleet %.2f, bare pass-through %.2f",
                     few.perCpuSecond() / all.perCpuSecond(), passedFew.perCpuSecond() / passedMany.perCpuSecond());
-            latencies(new Latency(broker.bootstrap(), scratch.directory(), Lamp.waiting(2_000)));
+            latencies(new Latency(KafkaCluster.at(broker.bootstrap()), scratch.directory(), Lamp.waiting(2_000)));
         }
         return 0;
     }

@@ -7,17 +7,18 @@ import org.evoloop.fleet.demo.Presses;
 import org.evoloop.fleet.stream.Fleet;
 import org.evoloop.fleet.stream.FleetException;
 import org.evoloop.fleet.stream.FleetSettings;
+import org.evoloop.fleet.stream.KafkaCluster;
 import org.evoloop.fleet.wire.ModelRecord;
 
 /** Measures the time from an occurrence to its command, both at the edge, at some hundred occurrences per second. */
 final class Latency {
-    private final String bootstrap;
+    private final KafkaCluster cluster;
     private final Path directory;
     private final ModelRecord lamp;
     private int runs;
 
-    Latency(String bootstrap, Path directory, ModelRecord lamp) {
-        this.bootstrap = bootstrap;
+    Latency(KafkaCluster cluster, Path directory, ModelRecord lamp) {
+        this.cluster = cluster;
         this.directory = directory;
         this.lamp = lamp;
     }
@@ -30,8 +31,8 @@ final class Latency {
                 .withFleet(name)
                 .withStateDirectory(directory.resolve(name))
                 .withCommitInterval(commitInterval);
-        try (Presses lamps = new Presses(bootstrap, name, lamp, presses);
-                Fleet fleet = new Fleet(bootstrap, settings)) {
+        try (Presses lamps = new Presses(cluster, name, lamp, presses);
+                Fleet fleet = new Fleet(cluster, settings)) {
             fleet.start();
             if (!fleet.awaitRunning(Duration.ofMinutes(1))) {
                 throw new FleetException("the fleet did not start");

@@ -25,6 +25,7 @@ import org.evoloop.fleet.stream.FleetException;
 import org.evoloop.fleet.stream.FleetSettings;
 import org.evoloop.fleet.stream.FleetTopics;
 import org.evoloop.fleet.stream.FleetTopology;
+import org.evoloop.fleet.stream.KafkaCluster;
 import org.evoloop.fleet.wire.ModelRecord;
 import org.evoloop.fleet.wire.Topic;
 import org.jspecify.annotations.Nullable;
@@ -40,7 +41,7 @@ final class Throughput {
     private static final OperatingSystemMXBean SYSTEM =
             (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
 
-    private final String bootstrap;
+    private final KafkaCluster cluster;
     private final Path directory;
     private final ModelRecord lamp;
     private int runs;
@@ -62,8 +63,8 @@ final class Throughput {
         }
     }
 
-    Throughput(String bootstrap, Path directory, ModelRecord lamp) {
-        this.bootstrap = bootstrap;
+    Throughput(KafkaCluster cluster, Path directory, ModelRecord lamp) {
+        this.cluster = cluster;
         this.directory = directory;
         this.lamp = lamp;
     }
@@ -78,9 +79,9 @@ final class Throughput {
                 .withStateDirectory(directory.resolve(name))
                 .withStreamTime();
         FleetSettings settings = inMemory ? plain.withDevicesInMemory() : plain;
-        try (FleetTopics topics = new FleetTopics(bootstrap, name);
-                Traffic traffic = new Traffic(bootstrap, name, devices);
-                Admin admin = Admin.create(Map.of("bootstrap.servers", bootstrap))) {
+        try (FleetTopics topics = new FleetTopics(cluster, name);
+                Traffic traffic = new Traffic(cluster, name, devices);
+                Admin admin = cluster.admin(Map.of())) {
             topics.create(PARTITIONS);
             traffic.write(Topic.MODELS, "lamp", lamp.bytes(), System.currentTimeMillis());
             traffic.register("lamp");
@@ -99,7 +100,7 @@ final class Throughput {
     }
 
     private Fleet started(FleetSettings settings, Topology topology) throws InterruptedException {
-        Fleet fleet = new Fleet(bootstrap, settings, topology);
+        Fleet fleet = new Fleet(cluster, settings, topology);
         fleet.start();
         if (!fleet.awaitRunning(LIMIT)) {
             fleet.close();

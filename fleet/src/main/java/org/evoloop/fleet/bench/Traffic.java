@@ -6,12 +6,11 @@ import org.apache.kafka.clients.producer.KafkaProducer;
 import org.apache.kafka.clients.producer.ProducerConfig;
 import org.apache.kafka.clients.producer.ProducerRecord;
 import org.apache.kafka.clients.producer.RecordMetadata;
-import org.apache.kafka.common.serialization.ByteArraySerializer;
-import org.apache.kafka.common.serialization.StringSerializer;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Values;
 import org.evoloop.fleet.device.Answer;
+import org.evoloop.fleet.stream.KafkaCluster;
 import org.evoloop.fleet.wire.Topic;
 import org.evoloop.fleet.wire.Wire;
 import org.evoloop.statemachine.Event;
@@ -33,23 +32,15 @@ final class Traffic implements AutoCloseable {
     private final int[] sequence;
     private long millis = System.currentTimeMillis() - 3_600_000;
 
-    Traffic(String bootstrap, String fleet, int devices) {
+    Traffic(KafkaCluster cluster, String fleet, int devices) {
         this.fleet = fleet;
         this.devices = devices;
         this.step = new byte[devices];
         this.sequence = new int[devices];
-        this.producer = new KafkaProducer<>(
-                Map.of(
-                        ProducerConfig.BOOTSTRAP_SERVERS_CONFIG,
-                        bootstrap,
-                        ProducerConfig.LINGER_MS_CONFIG,
-                        20,
-                        ProducerConfig.BATCH_SIZE_CONFIG,
-                        200_000,
-                        ProducerConfig.COMPRESSION_TYPE_CONFIG,
-                        "lz4"),
-                new StringSerializer(),
-                new ByteArraySerializer());
+        this.producer = cluster.producer(Map.of(
+                ProducerConfig.LINGER_MS_CONFIG, 20,
+                ProducerConfig.BATCH_SIZE_CONFIG, 200_000,
+                ProducerConfig.COMPRESSION_TYPE_CONFIG, "lz4"));
     }
 
     static String id(int device) {

@@ -20,6 +20,7 @@ import kafka.server.KafkaRaftServer;
 import org.apache.kafka.clients.admin.Admin;
 import org.apache.kafka.common.errors.BrokerIdNotRegisteredException;
 import org.apache.kafka.common.errors.NotControllerException;
+import org.apache.kafka.common.errors.UnsupportedVersionException;
 import org.apache.kafka.common.utils.Time;
 import org.apache.kafka.metadata.storage.Formatter;
 import org.apache.kafka.server.common.Feature;
@@ -64,8 +65,14 @@ public final class LocalBroker implements AutoCloseable {
 
     /** Starts it on these ports, for example those of an earlier run. */
     public static LocalBroker start(Path directory, int port, int controllerPort) {
+        return start(directory, port, controllerPort, Map.of());
+    }
+
+    /** @param others settings of a broker, which win */
+    static LocalBroker start(Path directory, int port, int controllerPort, Map<String, String> others) {
         String bootstrap = "localhost:" + port;
         Properties settings = settings(directory, port, controllerPort);
+        settings.putAll(others);
         boolean hasRun = Files.exists(directory.resolve(FORMATTED));
         format(directory);
         if (hasRun) {
@@ -102,7 +109,7 @@ public final class LocalBroker implements AutoCloseable {
         }
     }
 
-    /** False if the controller cannot do it yet, because it is not elected. */
+    /** False if the controller cannot do it yet, because it is not elected, or has not read its metadata. */
     private static boolean unregister(Admin admin) throws InterruptedException {
         try {
             admin.unregisterBroker(NODE).all().get();
@@ -111,7 +118,8 @@ public final class LocalBroker implements AutoCloseable {
             if (e.getCause() instanceof BrokerIdNotRegisteredException) {
                 return true;
             }
-            if (e.getCause() instanceof NotControllerException) {
+            if (e.getCause() instanceof NotControllerException
+                    || e.getCause() instanceof UnsupportedVersionException) {
                 return false;
             }
             throw new IllegalStateException("the earlier run's broker cannot be unregistered: " + e.getMessage(), e);

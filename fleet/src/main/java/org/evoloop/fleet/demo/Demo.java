@@ -16,6 +16,7 @@ import org.evoloop.fleet.device.Model;
 import org.evoloop.fleet.stream.Fleet;
 import org.evoloop.fleet.stream.FleetSettings;
 import org.evoloop.fleet.stream.FleetTopics;
+import org.evoloop.fleet.stream.KafkaCluster;
 import org.evoloop.fleet.wire.ModelRecord;
 import org.evoloop.fleet.wire.Rollout;
 import org.evoloop.fleet.wire.Topic;
@@ -34,7 +35,7 @@ public final class Demo implements AutoCloseable {
 
     private final PrintWriter out;
     private final FleetSettings settings;
-    private final String bootstrap;
+    private final KafkaCluster cluster;
     private final ModelRecord lamp;
     private final Edge edge;
     private final List<Fleet> instances = new ArrayList<>();
@@ -50,8 +51,8 @@ public final class Demo implements AutoCloseable {
      * @param lamp the lamps' first models
      * @param directory the instances' state directory
      */
-    public Demo(String bootstrap, String fleet, ModelRecord lamp, int devices, Path directory, PrintWriter out) {
-        this.bootstrap = bootstrap;
+    public Demo(KafkaCluster cluster, String fleet, ModelRecord lamp, int devices, Path directory, PrintWriter out) {
+        this.cluster = cluster;
         this.lamp = lamp;
         this.out = out;
         this.settings = FleetSettings.defaults()
@@ -59,12 +60,12 @@ public final class Demo implements AutoCloseable {
                 .withStateDirectory(directory)
                 .withPatience(Duration.ofSeconds(5));
         this.pressesPerSecond = Math.max(20, devices / 5);
-        try (FleetTopics topics = new FleetTopics(bootstrap, fleet)) {
+        try (FleetTopics topics = new FleetTopics(cluster, fleet)) {
             topics.create(PARTITIONS);
             topics.check();
         }
         Model compiled = ModelRecord.read("lamp-1", lamp.bytes());
-        this.edge = new Edge(bootstrap, fleet, compiled.rules().table().models().original(), devices, Set.of("lamp-3"));
+        this.edge = new Edge(cluster, fleet, compiled.rules().table().models().original(), devices, Set.of("lamp-3"));
     }
 
     /** Runs the demo; returns the problems found. */
@@ -112,7 +113,7 @@ public final class Demo implements AutoCloseable {
     private Fleet instance() {
         number++;
         Path own = settings.stateDirectory().resolve("instance-" + number);
-        Fleet fleet = new Fleet(bootstrap, settings.withStateDirectory(own));
+        Fleet fleet = new Fleet(cluster, settings.withStateDirectory(own));
         fleet.start();
         return fleet;
     }

@@ -17,15 +17,12 @@ import org.apache.kafka.clients.producer.ProducerRecord;
 import org.apache.kafka.clients.producer.RecordMetadata;
 import org.apache.kafka.common.PartitionInfo;
 import org.apache.kafka.common.TopicPartition;
-import org.apache.kafka.common.serialization.ByteArrayDeserializer;
-import org.apache.kafka.common.serialization.ByteArraySerializer;
-import org.apache.kafka.common.serialization.StringDeserializer;
-import org.apache.kafka.common.serialization.StringSerializer;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Values;
 import org.evoloop.fleet.device.Answer;
 import org.evoloop.fleet.device.Order;
+import org.evoloop.fleet.stream.KafkaCluster;
 import org.evoloop.fleet.wire.Reading;
 import org.evoloop.fleet.wire.Topic;
 import org.evoloop.fleet.wire.Wire;
@@ -40,6 +37,13 @@ import org.jspecify.annotations.Nullable;
  */
 final class Edge implements AutoCloseable {
     private static final Event SWITCH = new Event("switch");
+
+    /**
+     * At most one request is in flight. Presses are not numbered, so the fleet decides a press twice if it is written
+     * twice. After a kill, a broker recognises only a producer's last batch when it is sent again.
+     */
+    static final Map<String, Object> PRODUCER =
+            Map.of(ProducerConfig.LINGER_MS_CONFIG, 2, ProducerConfig.MAX_IN_FLIGHT_REQUESTS_PER_CONNECTION, 1);
 
     private final String fleet;
     private final KafkaProducer<String, byte[]> producer;
@@ -65,24 +69,15 @@ final class Edge implements AutoCloseable {
         long deadLetters;
     }
 
-    Edge(String bootstrap, String fleet, StateMachine lamp, int number, Set<String> brokenModels) {
+    Edge(KafkaCluster cluster, String fleet, StateMachine lamp, int number, Set<String> brokenModels) {
         this.fleet = fleet;
         this.brokenModels = brokenModels;
         this.lastPresses = new long[number];
-        this.producer =
-                new KafkaProducer<>(producerSettings(bootstrap), new StringSerializer(), new ByteArraySerializer());
-        this.consumer = new KafkaConsumer<>(
-                Map.of(
-                        ConsumerConfig.BOOTSTRAP_SERVERS_CONFIG,
-                        bootstrap,
-                        ConsumerConfig.ISOLATION_LEVEL_CONFIG,
-                        "read_committed",
-                        ConsumerConfig.FETCH_MAX_WAIT_MS_CONFIG,
-                        10,
-                        ConsumerConfig.AUTO_OFFSET_RESET_CONFIG,
-                        "earliest"),
-                new StringDeserializer(),
-                new ByteArrayDeserializer());
+        this.producer = cluster.producer(PRODUCER);
+        this.consumer = cluster.consumer(Map.of(
+                ConsumerConfig.ISOLATION_LEVEL_CONFIG, "read_committed",
+                ConsumerConfig.FETCH_MAX_WAIT_MS_CONFIG, 10,
+                ConsumerConfig.AUTO_OFFSET_RESET_CONFIG, "earliest"));
         List<TopicPartition> all = new ArrayList<>();
         for (Topic topic : List.of(Topic.COMMANDS, Topic.DECISIONS, Topic.STATES, Topic.DEAD_LETTERS, Topic.ROLLOUTS)) {
             for (PartitionInfo each : consumer.partitionsFor(topic.of(fleet))) {
@@ -95,20 +90,6 @@ final class Edge implements AutoCloseable {
             ids.add(id);
             lamps.put(id, new SimulatedLamp(lamp));
         }
-    }
-
-    /**
-     * At most one request is in flight. Presses are not numbered, so the fleet decides a press twice if it is written
-     * twice. After a kill, a broker recognises only a producer's last batch when it is sent again.
-     */
-    static Map<String, Object> producerSettings(String bootstrap) {
-        return Map.of(
-                ProducerConfig.BOOTSTRAP_SERVERS_CONFIG,
-                bootstrap,
-                ProducerConfig.LINGER_MS_CONFIG,
-                2,
-                ProducerConfig.MAX_IN_FLIGHT_REQUESTS_PER_CONNECTION,
-                1);
     }
 
     void write(Topic topic, String key, byte[] record) {

@@ -6,6 +6,7 @@ import java.util.function.BooleanSupplier;
 import org.evoloop.fleet.device.Model;
 import org.evoloop.fleet.stream.FleetException;
 import org.evoloop.fleet.stream.FleetTopics;
+import org.evoloop.fleet.stream.KafkaCluster;
 import org.evoloop.fleet.wire.ModelRecord;
 import org.evoloop.fleet.wire.Topic;
 
@@ -23,12 +24,12 @@ public final class Presses implements AutoCloseable {
     private final Edge edge;
 
     /** Creates the topics and lamps; an instance of the fleet has to be started separately. */
-    public Presses(String bootstrap, String fleet, ModelRecord lamp, int lamps) {
-        try (FleetTopics topics = new FleetTopics(bootstrap, fleet)) {
+    public Presses(KafkaCluster cluster, String fleet, ModelRecord lamp, int lamps) {
+        try (FleetTopics topics = new FleetTopics(cluster, fleet)) {
             topics.create(PARTITIONS);
         }
         Model compiled = ModelRecord.read("lamp", lamp.bytes());
-        edge = new Edge(bootstrap, fleet, compiled.rules().table().models().original(), lamps, Set.of());
+        edge = new Edge(cluster, fleet, compiled.rules().table().models().original(), lamps, Set.of());
         edge.write(Topic.MODELS, "lamp", lamp.bytes());
         edge.register("lamp");
     }

@@ -1,5 +1,7 @@
 package org.evoloop.fleet.gateway;
 
+import io.micrometer.core.instrument.Gauge;
+import io.micrometer.core.instrument.binder.MeterBinder;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -22,13 +24,14 @@ import org.apache.kafka.clients.producer.ProducerRecord;
 import org.apache.kafka.common.KafkaException;
 import org.apache.kafka.common.PartitionInfo;
 import org.apache.kafka.common.TopicPartition;
+import org.apache.kafka.common.errors.ApiException;
+import org.apache.kafka.common.errors.AuthenticationException;
+import org.apache.kafka.common.errors.AuthorizationException;
 import org.apache.kafka.common.errors.ProducerFencedException;
-import org.apache.kafka.common.serialization.ByteArrayDeserializer;
-import org.apache.kafka.common.serialization.ByteArraySerializer;
-import org.apache.kafka.common.serialization.StringDeserializer;
-import org.apache.kafka.common.serialization.StringSerializer;
 import org.evoloop.fleet.device.Answer;
 import org.evoloop.fleet.device.Order;
+import org.evoloop.fleet.stream.FleetException;
+import org.evoloop.fleet.stream.KafkaCluster;
 import org.evoloop.fleet.wire.Reading;
 import org.evoloop.fleet.wire.Refusal;
 import org.evoloop.fleet.wire.Topic;
@@ -63,7 +66,7 @@ public final class Gateway implements AutoCloseable {
     private static final Duration POLL = Duration.ofMillis(200);
     private static final int KAFKA_LIMIT_MILLIS = 10_000;
 
-    private final String bootstrap;
+    private final KafkaCluster cluster;
     private final String fleet;
     private final String name;
     private final Set<String> devices;
@@ -76,6 +79,9 @@ public final class Gateway implements AutoCloseable {
 
     private final CountDownLatch closing = new CountDownLatch(1);
     private final List<Thread> threads = new ArrayList<>();
+    private final GatewayCounts counts = new GatewayCounts();
+    private volatile boolean reachesKafka;
+    private volatile String kafka = "Kafka is not reached yet";
     private String reported = "";
 
     /**
@@ -86,14 +92,14 @@ public final class Gateway implements AutoCloseable {
      * @param statusListener receives changes of the links' status
      */
     public Gateway(
-            String bootstrap,
+            KafkaCluster cluster,
             String fleet,
             String name,
             BrokerAddress mqtt,
             Set<String> devices,
             Path directory,
             Consumer<String> statusListener) {
-        this.bootstrap = bootstrap;
+        this.cluster = cluster;
         this.fleet = fleet;
         this.name = name;
         this.devices = Set.copyOf(devices);
@@ -145,6 +151,7 @@ public final class Gateway implements AutoCloseable {
             return;
         }
         outbox.add(topic.name(), device, record);
+        counts.stored.increment();
         acknowledge(device, number);
     }
 
@@ -175,7 +182,7 @@ public final class Gateway implements AutoCloseable {
     /** A number in the record; 0 if it has none, or is invalid and will become a dead letter. */
     private static long number(String record, String member) {
         try {
-            return Reading.of(record.getBytes(StandardCharsets.UTF_8)).number(member, 0);
+            return Reading.ofAnySchema(record.getBytes(StandardCharsets.UTF_8)).number(member, 0);
         } catch (Refusal unreadable) {
             LOG.debug("a device has sent an invalid record", unreadable);
             return 0;
@@ -187,15 +194,13 @@ public final class Gateway implements AutoCloseable {
             try (KafkaProducer<String, byte[]> producer = producer()) {
                 producer.initTransactions();
                 while (isOpen()) {
+                    reachesKafka = true;
                     report("Kafka can be reached");
                     send(producer, outbox.first(BATCH, POLL.toMillis()));
                 }
-            } catch (KafkaException unreachable) {
-                report(
-                        isFenced(unreachable)
-                                ? "another gateway has the name '" + name + "'; give each its own with --gateway"
-                                : "Kafka is not reached; the devices' records are "
-                                        + (isFull() ? "no longer stored" : "stored"));
+            } catch (KafkaException | FleetException unreachable) {
+                reachesKafka = false;
+                report(trouble(unreachable));
                 LOG.debug("the records remain stored", unreachable);
                 pause();
             } catch (UncheckedIOException unwritable) {
@@ -206,8 +211,14 @@ public final class Gateway implements AutoCloseable {
         }
     }
 
-    private static boolean isFenced(KafkaException failure) {
-        return failure instanceof ProducerFencedException || failure.getCause() instanceof ProducerFencedException;
+    private String trouble(RuntimeException failure) {
+        Throwable cause = failure instanceof ApiException || failure.getCause() == null ? failure : failure.getCause();
+        if (cause instanceof ProducerFencedException) {
+            return "another gateway has the name '" + name + "'; give each its own with --gateway";
+        }
+        boolean refused = cause instanceof AuthenticationException || cause instanceof AuthorizationException;
+        return (refused ? "Kafka refuses this gateway (" + cause.getMessage() + ")" : "Kafka is not reached")
+                + "; the devices' records are " + (isFull() ? "no longer stored" : "stored");
     }
 
     /** As on a full disk: it is tried again, since there may be room later. */
@@ -230,6 +241,7 @@ public final class Gateway implements AutoCloseable {
         }
         producer.commitTransaction();
         outbox.sent(batch.get(batch.size() - 1).number());
+        counts.sent.add(batch.size());
     }
 
     private static String numbered(Outbox.Entry entry) {
@@ -240,15 +252,15 @@ public final class Gateway implements AutoCloseable {
     }
 
     private KafkaProducer<String, byte[]> producer() {
-        return new KafkaProducer<>(
-                Map.of(
-                        ProducerConfig.BOOTSTRAP_SERVERS_CONFIG, bootstrap,
-                        ProducerConfig.TRANSACTIONAL_ID_CONFIG, fleet + "-gateway-" + name,
-                        ProducerConfig.MAX_BLOCK_MS_CONFIG, KAFKA_LIMIT_MILLIS,
-                        ProducerConfig.DELIVERY_TIMEOUT_MS_CONFIG, KAFKA_LIMIT_MILLIS,
-                        ProducerConfig.REQUEST_TIMEOUT_MS_CONFIG, KAFKA_LIMIT_MILLIS / 2),
-                new StringSerializer(),
-                new ByteArraySerializer());
+        return cluster.producer(Map.of(
+                ProducerConfig.TRANSACTIONAL_ID_CONFIG,
+                fleet + "-gateway-" + name,
+                ProducerConfig.MAX_BLOCK_MS_CONFIG,
+                KAFKA_LIMIT_MILLIS,
+                ProducerConfig.DELIVERY_TIMEOUT_MS_CONFIG,
+                KAFKA_LIMIT_MILLIS,
+                ProducerConfig.REQUEST_TIMEOUT_MS_CONFIG,
+                KAFKA_LIMIT_MILLIS / 2));
     }
 
     // To the devices
@@ -266,7 +278,7 @@ public final class Gateway implements AutoCloseable {
                     present.publishOnceRead(consumer);
                     consumer.commitAsync();
                 }
-            } catch (KafkaException unreachable) {
+            } catch (KafkaException | FleetException unreachable) {
                 LOG.debug("no commands can be fetched", unreachable);
                 pause();
             } catch (UncheckedIOException unwritable) {
@@ -339,33 +351,30 @@ public final class Gateway implements AutoCloseable {
             failed(device, order, "the command arrived after its deadline", now);
         } else if (mqtt.isUp()) {
             mqtt.publish(Message.command(topic(device, "command"), text));
+            counts.published.increment();
         } else {
             failed(device, order, "the device cannot be reached: " + mqtt.describe(), now);
         }
     }
 
     private void failed(String device, Order order, String why, long nowMillis) {
+        counts.failed.increment();
         Answer answer = new Answer(order.sequence(), Answer.Outcome.FAILED, why, null, Wire.nanos(nowMillis));
         outbox.add(Topic.EFFECTS.name(), device, Wire.text(Wire.effect(answer)));
     }
 
     private KafkaConsumer<String, byte[]> consumer() {
-        return new KafkaConsumer<>(
-                Map.of(
-                        ConsumerConfig.BOOTSTRAP_SERVERS_CONFIG,
-                        bootstrap,
-                        ConsumerConfig.GROUP_ID_CONFIG,
-                        fleet + "-gateway-" + name,
-                        ConsumerConfig.ISOLATION_LEVEL_CONFIG,
-                        "read_committed",
-                        ConsumerConfig.ENABLE_AUTO_COMMIT_CONFIG,
-                        false,
-                        ConsumerConfig.DEFAULT_API_TIMEOUT_MS_CONFIG,
-                        KAFKA_LIMIT_MILLIS,
-                        ConsumerConfig.AUTO_OFFSET_RESET_CONFIG,
-                        "earliest"),
-                new StringDeserializer(),
-                new ByteArrayDeserializer());
+        return cluster.consumer(Map.of(
+                ConsumerConfig.GROUP_ID_CONFIG,
+                fleet + "-gateway-" + name,
+                ConsumerConfig.ISOLATION_LEVEL_CONFIG,
+                "read_committed",
+                ConsumerConfig.ENABLE_AUTO_COMMIT_CONFIG,
+                false,
+                ConsumerConfig.DEFAULT_API_TIMEOUT_MS_CONFIG,
+                KAFKA_LIMIT_MILLIS,
+                ConsumerConfig.AUTO_OFFSET_RESET_CONFIG,
+                "earliest"));
     }
 
     private List<TopicPartition> partitions(KafkaConsumer<String, byte[]> consumer, Topic topic) {
@@ -388,12 +397,45 @@ public final class Gateway implements AutoCloseable {
         return mqtt.isUp();
     }
 
+    /** Whether records can be sent to the fleet. */
+    public boolean reachesKafka() {
+        return reachesKafka;
+    }
+
+    /** The status of both connections, for people. */
+    public String describe() {
+        return kafka + "; records waiting: " + outbox.size() + "; MQTT: " + devicesStatus();
+    }
+
+    /**
+     * Its metrics: {@code evoloop.gateway.records} and {@code evoloop.gateway.commands} since its start, and whether it
+     * reaches both brokers.
+     */
+    public MeterBinder metrics() {
+        return registry -> {
+            counts.bindTo(registry);
+            Gauge.builder("evoloop.gateway.waiting", this, Gateway::waiting)
+                    .description("Records that wait for a connection to the fleet")
+                    .register(registry);
+            Gauge.builder("evoloop.gateway.kafka.up", this, gateway -> gateway.reachesKafka() ? 1 : 0)
+                    .description("Whether Kafka is reached")
+                    .register(registry);
+            Gauge.builder("evoloop.gateway.mqtt.up", this, gateway -> gateway.reachesDevices() ? 1 : 0)
+                    .description("Whether the devices' broker is connected")
+                    .register(registry);
+        };
+    }
+
+    private String devicesStatus() {
+        return mqtt.isUp() ? "the devices' broker can be reached" : mqtt.describe();
+    }
+
     private synchronized void report(String ofKafka) {
-        String devices = mqtt.isUp() ? "the devices' broker can be reached" : mqtt.describe();
-        String status = ofKafka + "; " + devices;
+        kafka = ofKafka;
+        String status = ofKafka + "; " + devicesStatus();
         if (!status.equals(reported)) {
             reported = status;
-            statusListener.accept(ofKafka + "; records waiting: " + outbox.size() + "; MQTT: " + devices);
+            statusListener.accept(describe());
         }
     }
 

@@ -38,6 +38,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
 
     private final FleetSettings settings;
     private final Map<String, Topic> topics;
+    private final FleetCounts counts;
     private final long patienceNanos;
     private final Letters letters = new Letters();
     private ProcessorContext<String, byte[]> context;
@@ -56,9 +57,10 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
     private @Nullable String sweptTo;
 
     @SuppressWarnings("NullAway.Init") // init comes before all else
-    DeviceProcessor(FleetSettings settings, Map<String, Topic> topics) {
+    DeviceProcessor(FleetSettings settings, Map<String, Topic> topics, FleetCounts counts) {
         this.settings = settings;
         this.topics = topics;
+        this.counts = counts;
         this.patienceNanos = settings.patience().toNanos();
     }
 
@@ -106,6 +108,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
     }
 
     private void refuse(Record<String, byte[]> record, RecordMetadata from, Refusal refusal) {
+        counts.refused(refusal.reason());
         letters.begin("", null);
         letters.add(
                 Topic.DEAD_LETTERS,
@@ -152,7 +155,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
             context.forward(new Record<>(id, null, record.timestamp()), Topic.STATES.name());
             return;
         }
-        String version = Reading.of(record.value()).text("model");
+        String version = Reading.of(record.value()).name("model");
         DeviceState known = devices.get(id);
         if (known == null) {
             Model model = library.model(version);
@@ -185,6 +188,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
     private void store(String id, @Nullable DeviceState before, Device device, long timestamp) {
         evolve(id, device, timestamp);
         letters.all().forEach(letter -> Wire.requireSendable(letter.text(), "a record in " + letter.topic()));
+        counts.results(letters.good(), letters.bad());
         DeviceState state = device.state();
         if (!state.equals(before)) {
             devices.put(id, state);

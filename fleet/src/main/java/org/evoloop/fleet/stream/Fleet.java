@@ -1,12 +1,18 @@
 package org.evoloop.fleet.stream;
 
+import io.micrometer.core.instrument.binder.MeterBinder;
+import io.micrometer.core.instrument.binder.kafka.KafkaStreamsMetrics;
 import java.time.Duration;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Properties;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.apache.kafka.clients.consumer.ConsumerConfig;
 import org.apache.kafka.clients.producer.ProducerConfig;
 import org.apache.kafka.common.KafkaException;
+import org.apache.kafka.common.errors.AuthenticationException;
+import org.apache.kafka.common.errors.AuthorizationException;
 import org.apache.kafka.common.errors.InvalidSessionTimeoutException;
 import org.apache.kafka.streams.CloseOptions;
 import org.apache.kafka.streams.KafkaStreams;
@@ -34,7 +40,10 @@ public final class Fleet implements AutoCloseable {
     private static final Duration CLOSING = Duration.ofSeconds(30);
 
     private final String name;
+    private final Duration session;
     private final KafkaStreams streams;
+    private final FleetCounts counts;
+    private final KafkaStreamsMetrics kafkaMetrics;
     private final CountDownLatch running = new CountDownLatch(1);
     private final CountDownLatch ended = new CountDownLatch(1);
     private volatile @Nullable Throwable failure;
@@ -44,14 +53,25 @@ public final class Fleet implements AutoCloseable {
      *
      * @throws FleetException if Kafka refuses the settings, or the state directory cannot be used
      */
-    public Fleet(String bootstrap, FleetSettings settings) {
-        this(bootstrap, settings, FleetTopology.of(settings));
+    public Fleet(KafkaCluster cluster, FleetSettings settings) {
+        this(cluster, settings, new FleetCounts());
+    }
+
+    private Fleet(KafkaCluster cluster, FleetSettings settings, FleetCounts counts) {
+        this(cluster, settings, FleetTopology.of(settings, counts), counts);
     }
 
     /** An instance with another topology, for example for comparison. */
-    public Fleet(String bootstrap, FleetSettings settings, Topology topology) {
+    public Fleet(KafkaCluster cluster, FleetSettings settings, Topology topology) {
+        this(cluster, settings, topology, new FleetCounts());
+    }
+
+    private Fleet(KafkaCluster cluster, FleetSettings settings, Topology topology, FleetCounts counts) {
+        this.counts = counts;
         name = settings.fleet();
-        streams = streams(topology, bootstrap, settings);
+        session = settings.session();
+        streams = streams(topology, cluster, settings);
+        kafkaMetrics = new KafkaStreamsMetrics(streams);
         streams.setStateListener((now, before) -> {
             if (now == KafkaStreams.State.RUNNING) {
                 running.countDown();
@@ -70,9 +90,9 @@ public final class Fleet implements AutoCloseable {
         });
     }
 
-    private static KafkaStreams streams(Topology topology, String bootstrap, FleetSettings settings) {
+    private static KafkaStreams streams(Topology topology, KafkaCluster cluster, FleetSettings settings) {
         try {
-            return new KafkaStreams(topology, properties(bootstrap, settings));
+            return new KafkaStreams(topology, properties(cluster, settings));
         } catch (KafkaException e) {
             throw new FleetException("the instance cannot start with the state directory " + settings.stateDirectory()
                     + ": " + root(e).getMessage()
@@ -90,13 +110,15 @@ public final class Fleet implements AutoCloseable {
 
     /** Whether a new thread would fail in the same way. */
     private static boolean isHopeless(@Nullable Throwable cause) {
-        return cause instanceof MissingSourceTopicException || cause instanceof InvalidSessionTimeoutException;
+        return cause instanceof MissingSourceTopicException
+                || cause instanceof InvalidSessionTimeoutException
+                || cause instanceof AuthenticationException
+                || cause instanceof AuthorizationException;
     }
 
-    private static Properties properties(String bootstrap, FleetSettings settings) {
+    private static Properties properties(KafkaCluster cluster, FleetSettings settings) {
         Properties properties = new Properties();
-        properties.put(StreamsConfig.APPLICATION_ID_CONFIG, settings.fleet());
-        properties.put(StreamsConfig.BOOTSTRAP_SERVERS_CONFIG, bootstrap);
+        properties.putAll(cluster.with(Map.of(StreamsConfig.APPLICATION_ID_CONFIG, settings.fleet())));
         properties.put(StreamsConfig.STATE_DIR_CONFIG, settings.stateDirectory().toString());
         properties.put(StreamsConfig.PROCESSING_GUARANTEE_CONFIG, StreamsConfig.EXACTLY_ONCE_V2);
         properties.put(
@@ -104,6 +126,11 @@ public final class Fleet implements AutoCloseable {
                 settings.commitInterval().toMillis());
         properties.put(StreamsConfig.NUM_STREAM_THREADS_CONFIG, settings.threads());
         properties.put(StreamsConfig.NUM_STANDBY_REPLICAS_CONFIG, settings.standbys());
+        TopicSettings topics = settings.topics();
+        if (topics.replicas() > 0) {
+            properties.put(StreamsConfig.REPLICATION_FACTOR_CONFIG, topics.replicas());
+        }
+        topics.values().forEach((name, value) -> properties.put(StreamsConfig.topicPrefix(name), value));
         properties.put(StreamsConfig.STATESTORE_CACHE_MAX_BYTES_CONFIG, 64L << 20);
         // A replay processes records in the order of their times. Live records need not wait for each other: an answer
         // comes after its command, and the core copes with an unknown order of occurrences and answers.
@@ -146,6 +173,38 @@ public final class Fleet implements AutoCloseable {
         }
     }
 
+    /** Whether it processes records, or will once it has its share of the devices. */
+    public boolean isRunning() {
+        return streams.state().isRunningOrRebalancing();
+    }
+
+    /** Whether it has told the cluster lately that it lives; the others take the devices of an instance that does not. */
+    public boolean reachesKafka() {
+        return streams.metrics().values().stream()
+                .filter(each -> each.metricName().name().equals("last-heartbeat-seconds-ago"))
+                .anyMatch(each -> each.metricValue() instanceof Double seconds
+                        && seconds >= 0
+                        && seconds * 1_000 <= session.toMillis());
+    }
+
+    /** Its status, for people. */
+    public String describe() {
+        String state = "the instance is "
+                + streams.state().name().toLowerCase(Locale.ROOT).replace('_', ' ');
+        return reachesKafka() ? state : state + "; no broker of Kafka is reached";
+    }
+
+    /**
+     * Its metrics: {@code evoloop.fleet.results} and {@code evoloop.fleet.dead.letters} since its start, and those of Kafka
+     * Streams.
+     */
+    public MeterBinder metrics() {
+        return registry -> {
+            counts.bindTo(registry);
+            kafkaMetrics.bindTo(registry);
+        };
+    }
+
     /** The prefix of its topics. */
     public String name() {
         return name;
@@ -161,6 +220,7 @@ public final class Fleet implements AutoCloseable {
         // Leaving the group lets the other instances take over at once instead of waiting for the session timeout.
         streams.close(CloseOptions.timeout(CLOSING)
                 .withGroupMembershipOperation(CloseOptions.GroupMembershipOperation.LEAVE_GROUP));
+        kafkaMetrics.close();
         ended.countDown();
     }
 }

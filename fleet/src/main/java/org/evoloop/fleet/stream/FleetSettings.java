@@ -24,6 +24,7 @@ public final class FleetSettings {
     private Duration clockAhead = Duration.ofMinutes(1);
     private Duration clockBehind = Duration.ofDays(7);
     private Duration session = Duration.ofSeconds(10);
+    private TopicSettings topics = TopicSettings.DEFAULTS;
     private int threads = 1;
     private int standbys;
     private boolean wallClock = true;
@@ -44,6 +45,7 @@ public final class FleetSettings {
         clockAhead = other.clockAhead;
         clockBehind = other.clockBehind;
         session = other.session;
+        topics = other.topics;
         threads = other.threads;
         standbys = other.standbys;
         wallClock = other.wallClock;
@@ -101,6 +103,13 @@ public final class FleetSettings {
         }
         FleetSettings next = new FleetSettings(this);
         next.session = timeout;
+        return next;
+    }
+
+    /** A copy in which the topics for the instances' own state are created with these settings. */
+    public FleetSettings withTopics(TopicSettings settings) {
+        FleetSettings next = new FleetSettings(this);
+        next.topics = Objects.requireNonNull(settings);
         return next;
     }
 
@@ -178,6 +187,11 @@ public final class FleetSettings {
     /** How long an instance may be silent. */
     public Duration session() {
         return session;
+    }
+
+    /** The settings of the topics for the instances' own state. */
+    public TopicSettings topics() {
+        return topics;
     }
 
     /** The number of threads. */

@@ -3,6 +3,7 @@ package org.evoloop.fleet.stream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
@@ -14,11 +15,15 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Stream;
 import org.apache.kafka.clients.admin.Admin;
 import org.apache.kafka.clients.admin.AdminClientConfig;
+import org.apache.kafka.clients.admin.Config;
+import org.apache.kafka.clients.admin.ConfigEntry;
 import org.apache.kafka.clients.admin.NewTopic;
 import org.apache.kafka.clients.admin.TopicDescription;
-import org.apache.kafka.common.KafkaException;
 import org.apache.kafka.common.KafkaFuture;
-import org.apache.kafka.common.config.TopicConfig;
+import org.apache.kafka.common.config.ConfigResource;
+import org.apache.kafka.common.errors.ApiException;
+import org.apache.kafka.common.errors.AuthenticationException;
+import org.apache.kafka.common.errors.AuthorizationException;
 import org.apache.kafka.common.errors.TopicExistsException;
 import org.apache.kafka.common.errors.UnknownTopicOrPartitionException;
 import org.evoloop.fleet.wire.Topic;
@@ -34,40 +39,76 @@ public final class FleetTopics implements AutoCloseable {
     private static final long LIMIT_S = 30;
     private static final long LOOK_MILLIS = 50;
 
-    private final String bootstrap;
+    private final KafkaCluster cluster;
     private final String fleet;
     private final Admin admin;
 
-    /** @throws FleetException if {@code bootstrap} is not an address */
-    public FleetTopics(String bootstrap, String fleet) {
-        this.bootstrap = bootstrap;
+    /** @throws FleetException if the cluster's address or a setting is wrong */
+    public FleetTopics(KafkaCluster cluster, String fleet) {
+        this.cluster = cluster;
         this.fleet = fleet;
-        try {
-            this.admin = Admin.create(Map.of(
-                    AdminClientConfig.BOOTSTRAP_SERVERS_CONFIG, bootstrap,
-                    AdminClientConfig.DEFAULT_API_TIMEOUT_MS_CONFIG, 10_000,
-                    AdminClientConfig.REQUEST_TIMEOUT_MS_CONFIG, 5_000));
-        } catch (KafkaException e) {
-            String why = e.getCause() == null ? e.getMessage() : e.getCause().getMessage();
-            throw new FleetException("'" + bootstrap + "' is not the address of a Kafka broker, HOST:PORT: " + why);
-        }
+        this.admin = cluster.admin(Map.of(
+                AdminClientConfig.DEFAULT_API_TIMEOUT_MS_CONFIG, 10_000,
+                AdminClientConfig.REQUEST_TIMEOUT_MS_CONFIG, 5_000));
     }
 
-    /** Creates the missing topics; {@code partitions} is the number of partitions of the devices. */
+    /** Creates the missing topics as the cluster does by default. */
     public void create(int partitions) {
+        create(partitions, TopicSettings.DEFAULTS);
+    }
+
+    /**
+     * Creates the missing topics; those that exist remain as they are, which {@link #check} verifies.
+     *
+     * @param partitions the number of partitions of the devices
+     * @throws FleetException if the cluster refuses the settings, such as more replicas than it has brokers
+     */
+    public void create(int partitions, TopicSettings settings) {
         for (Topic topic : Topic.values()) {
-            NewTopic wanted =
-                    new NewTopic(topic.of(fleet), Optional.of(topic.isByDevice() ? partitions : 1), Optional.empty());
-            if (topic.isCompacted()) {
-                wanted.configs(Map.of(TopicConfig.CLEANUP_POLICY_CONFIG, TopicConfig.CLEANUP_POLICY_COMPACT));
-            }
+            NewTopic wanted = new NewTopic(
+                    topic.of(fleet),
+                    Optional.of(topic.isByDevice() ? partitions : 1),
+                    settings.replicas() == 0 ? Optional.empty() : Optional.of((short) settings.replicas()));
+            wanted.configs(settings.of(topic.isCompacted()));
             try {
                 await(admin.createTopics(List.of(wanted)).all());
             } catch (TopicExistsException asItIs) {
-                // check() verifies that it fits.
+                // check() and differences() verify that it fits.
+            } catch (ApiException refused) {
+                throw new FleetException(
+                        "the cluster does not create the topic " + topic.of(fleet) + ": " + refused.getMessage());
             }
         }
         awaitKnown();
+    }
+
+    /** How the existing topics differ from {@code settings}, for people; {@link #create} does not change these. */
+    public List<String> differences(TopicSettings settings) {
+        List<String> differences = new ArrayList<>();
+        for (Topic topic : Topic.values()) {
+            String name = topic.of(fleet);
+            int replicas = Objects.requireNonNull(
+                            await(admin.describeTopics(List.of(name)).allTopicNames())
+                                    .get(name))
+                    .partitions()
+                    .get(0)
+                    .replicas()
+                    .size();
+            if (settings.replicas() != 0 && settings.replicas() != replicas) {
+                differences.add(name + " has " + replicas + " replicas, not " + settings.replicas());
+            }
+            ConfigResource resource = new ConfigResource(ConfigResource.Type.TOPIC, name);
+            Config config =
+                    await(admin.describeConfigs(List.of(resource)).all()).get(resource);
+            settings.values().forEach((key, wanted) -> {
+                ConfigEntry found = config == null ? null : config.get(key);
+                if (found == null || !wanted.equals(found.value())) {
+                    differences.add(
+                            name + " has " + key + "=" + (found == null ? "" : found.value()) + ", not " + wanted);
+                }
+            });
+        }
+        return differences;
     }
 
     /** Waits until the brokers know the topics that the controller has created. */
@@ -114,10 +155,12 @@ public final class FleetTopics implements AutoCloseable {
             }
         }
         if (!problems.isEmpty()) {
-            throw new FleetException("the topics of the fleet '" + fleet + "' at " + bootstrap + " cannot be used:\n"
-                    + String.join("\n", problems)
-                    + "\nCreate what is missing with: evoloop fleet --bootstrap " + bootstrap + " --name " + fleet
-                    + " --create-topics; delete first what has a wrong number of partitions");
+            throw new FleetException(
+                    "the topics of the fleet '" + fleet + "' at " + cluster.bootstrap() + " cannot be used:\n"
+                            + String.join("\n", problems)
+                            + "\nCreate what is missing with: evoloop fleet --bootstrap " + cluster.bootstrap()
+                            + " --name " + fleet
+                            + " --create-topics; delete first what has a wrong number of partitions");
         }
         return partitions;
     }
@@ -133,10 +176,11 @@ public final class FleetTopics implements AutoCloseable {
         try {
             return future.get(LIMIT_S, TimeUnit.SECONDS);
         } catch (ExecutionException e) {
-            if (e.getCause() instanceof TopicExistsException exists) {
-                throw exists;
-            } else if (e.getCause() instanceof UnknownTopicOrPartitionException missing) {
-                throw missing;
+            if (e.getCause() instanceof AuthenticationException || e.getCause() instanceof AuthorizationException) {
+                throw refused((ApiException) e.getCause());
+            } else if (e.getCause() instanceof ApiException answer
+                    && !(answer instanceof org.apache.kafka.common.errors.TimeoutException)) {
+                throw answer;
             }
             throw unreachable(e);
         } catch (TimeoutException e) {
@@ -149,8 +193,15 @@ public final class FleetTopics implements AutoCloseable {
 
     private UnreachableException unreachable(Exception failure) {
         Throwable cause = failure.getCause() == null ? failure : failure.getCause();
-        return new UnreachableException("the Kafka broker at " + bootstrap + " does not answer properly: "
-                + cause.getMessage() + ". Is it running, and is --bootstrap its address?");
+        return new UnreachableException("the Kafka broker at " + cluster.bootstrap() + " does not answer properly: "
+                + cause.getMessage() + ". " + cluster.hint());
+    }
+
+    private FleetException refused(ApiException refusal) {
+        Throwable cause = refusal.getCause();
+        return new FleetException(
+                "the Kafka broker at " + cluster.bootstrap() + " refuses this program: " + refusal.getMessage()
+                        + (cause == null ? "" : " (" + cause.getMessage() + ")") + ". " + cluster.hint());
     }
 
     @Override

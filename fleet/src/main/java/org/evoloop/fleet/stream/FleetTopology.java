@@ -35,6 +35,10 @@ public final class FleetTopology {
 
     /** The topology of the fleet named in {@code settings}. */
     public static Topology of(FleetSettings settings) {
+        return of(settings, new FleetCounts());
+    }
+
+    static Topology of(FleetSettings settings, FleetCounts counts) {
         Topology topology = new Topology();
         Map<String, Topic> topics = new HashMap<>();
         for (Topic topic : IN) {
@@ -43,7 +47,7 @@ public final class FleetTopology {
         }
         topology.addProcessor(
                 DEVICE,
-                () -> new DeviceProcessor(settings, topics),
+                () -> new DeviceProcessor(settings, topics, counts),
                 IN.stream().map(FleetTopology::sourceOf).toArray(String[]::new));
         topology.addStateStore(devices(settings), DEVICE);
         for (Topic topic : OUT) {

@@ -28,6 +28,9 @@ public final class Reading {
     /** Whole doubles of a smaller magnitude fit in a long. */
     private static final double MOST_WHOLE = 0x1p63;
 
+    /** The characters of the longest name of an event, a state, a guard, an effect or a value. */
+    private static final int LONGEST_NAME = 1_000;
+
     /** Nanoseconds since 1970 fit in a long until the year 2262. */
     private static final long MOST_MILLIS = Wire.millis(Long.MAX_VALUE);
 
@@ -44,14 +47,15 @@ public final class Reading {
     /**
      * Reads a record.
      *
-     * @throws Refusal if it is not a JSON object, or one of a newer schema
+     * @throws Refusal if it is not a JSON object, or one without a schema or of a newer one
      */
     public static Reading of(byte @Nullable [] bytes) {
-        if (bytes == null || !(JsonReader.read(bytes) instanceof Members members)) {
-            throw malformed("a JSON object was expected");
+        Reading reading = ofAnySchema(bytes);
+        Object written = reading.record.get("schema");
+        if (written == null || written == Members.NULL) {
+            throw malformed("it has no schema; write \"schema\":" + Wire.SCHEMA);
         }
-        Reading reading = new Reading(members);
-        long schema = reading.number("schema", 1);
+        long schema = reading.number("schema");
         if (schema > Wire.SCHEMA) {
             throw new Refusal(
                     Refusal.Reason.NEWER_SCHEMA,
@@ -62,17 +66,29 @@ public final class Reading {
         return reading;
     }
 
+    /**
+     * Reads a record of any schema, or of none.
+     *
+     * @throws Refusal if it is not a JSON object
+     */
+    public static Reading ofAnySchema(byte @Nullable [] bytes) {
+        if (bytes == null || !(JsonReader.read(bytes) instanceof Members members)) {
+            throw malformed("a JSON object was expected");
+        }
+        return new Reading(members);
+    }
+
     /** The occurrence in this record of {@link Topic#OCCURRENCES}. */
     public Occurrence occurrence() {
         long at = time("atMillis");
         String kind = text("kind", "heard");
         try {
             return switch (kind) {
-                case "found" -> new Occurrence.Found(new State(text("state")), at);
-                case "asked" -> new Occurrence.Asked(new Event(text("event")), values(), visit(), at);
+                case "found" -> new Occurrence.Found(new State(name("state")), at);
+                case "asked" -> new Occurrence.Asked(new Event(name("event")), values(), visit(), at);
                 case "heard" ->
                     new Occurrence.Heard(
-                            new Event(text("event")), values(), source(), truth("deviceActed"), holding(), visit(), at);
+                            new Event(name("event")), values(), source(), truth("deviceActed"), holding(), visit(), at);
                 default ->
                     throw malformed(
                             "'" + kind + "' is not a kind of occurrence; the kinds are heard, found " + "and asked");
@@ -89,7 +105,7 @@ public final class Reading {
                     number("sequence"),
                     constant(OUTCOMES, "outcome"),
                     text("reason", ""),
-                    record.get("state") == null ? null : new State(text("state")),
+                    record.get("state") == null ? null : new State(name("state")),
                     time("atMillis"));
         } catch (ModelException e) {
             throw malformed(String.valueOf(e.getMessage()));
@@ -100,7 +116,7 @@ public final class Reading {
     public Order order() {
         Order.Kind kind = constant(KINDS, "kind");
         boolean sends = kind == Order.Kind.SEND;
-        String what = kind == Order.Kind.LOCATE ? "" : text(sends ? "event" : "effect");
+        String what = kind == Order.Kind.LOCATE ? "" : name(sends ? "event" : "effect");
         return new Order(
                 number("sequence"),
                 0,
@@ -112,6 +128,18 @@ public final class Reading {
                 truth("function"),
                 sends ? text("from", "") : "",
                 sends ? text("to", "") : "");
+    }
+
+    /** The dead letter in this record of {@link Topic#DEAD_LETTERS}; nothing if it is a mark. */
+    public Optional<DeadLetter> deadLetter() {
+        return record.get("resent") == null ? Optional.of(DeadLetter.read(this)) : Optional.empty();
+    }
+
+    /** The mark in this record of {@link Topic#DEAD_LETTERS}; nothing if it is a letter. */
+    public Optional<Resent> resent() {
+        return record.get("resent") == null
+                ? Optional.empty()
+                : Optional.of(new Resent(name("resent"), number("before")));
     }
 
     private Source source() {
@@ -138,7 +166,11 @@ public final class Reading {
 
     private Set<String> holding() {
         List<String> texts = texts("holding");
-        return texts == null || texts.isEmpty() ? Set.of() : new HashSet<>(texts);
+        if (texts == null || texts.isEmpty()) {
+            return Set.of();
+        }
+        texts.forEach(guard -> requireShort("a guard in 'holding'", guard));
+        return new HashSet<>(texts);
     }
 
     private Values values() {
@@ -148,6 +180,7 @@ public final class Reading {
         }
         Map<String, Object> values = new HashMap<>();
         members.forEach((name, value) -> {
+            requireShort("the name of a value", name);
             if (value instanceof Number number) {
                 values.put(name, finite(name, number));
             } else if (value instanceof String || value instanceof Boolean) {
@@ -213,6 +246,18 @@ public final class Reading {
             return text;
         }
         throw malformed("'" + name + "' must be a string");
+    }
+
+    /** The text of that name, which is the name of something. */
+    public String name(String name) {
+        return requireShort("'" + name + "'", text(name));
+    }
+
+    private static String requireShort(String what, String name) {
+        if (name.length() > LONGEST_NAME) {
+            throw malformed(what + " has " + name.length() + " characters, allowed are " + LONGEST_NAME);
+        }
+        return name;
     }
 
     /** The text of that name; {@code otherwise} if there is none. */

@@ -191,19 +191,16 @@ public final class Wire {
     /** For {@link Topic#DEAD_LETTERS}; a large record is cut, so that the letter can be sent. */
     public static byte[] deadLetter(
             Refusal refusal, String topic, int partition, long offset, byte @Nullable [] record) {
-        return new Json()
+        byte[] whole = record == null ? new byte[0] : record;
+        byte[] shown = whole.length > MOST_RECORD ? Arrays.copyOf(whole, MOST_RECORD) : whole;
+        Json json = new Json()
                 .with("reason", word(refusal.reason()))
                 .with("detail", cut(refusal.detail(), MOST_DETAIL))
                 .with("topic", topic)
                 .with("partition", partition)
                 .with("offset", offset)
-                .with("record", encoded(record == null ? new byte[0] : record))
-                .bytes();
-    }
-
-    private static String encoded(byte[] record) {
-        return Base64.getEncoder()
-                .encodeToString(record.length > MOST_RECORD ? Arrays.copyOf(record, MOST_RECORD) : record);
+                .with("record", Base64.getEncoder().encodeToString(shown));
+        return (shown.length == whole.length ? json : json.with("bytes", whole.length)).bytes();
     }
 
     /** The first {@code most} characters of {@code text}. */

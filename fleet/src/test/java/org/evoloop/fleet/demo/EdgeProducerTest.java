@@ -26,6 +26,7 @@ import org.evoloop.JavaProcess;
 import org.evoloop.fleet.BrokerProcess;
 import org.evoloop.fleet.TestProcess;
 import org.evoloop.fleet.broker.LocalBroker;
+import org.evoloop.fleet.stream.KafkaCluster;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -51,7 +52,7 @@ class EdgeProducerTest {
         int port = LocalBroker.freePort();
         int controller = LocalBroker.freePort();
         String bootstrap = "localhost:" + port;
-        Map<String, Object> settings = Edge.producerSettings(bootstrap);
+        Map<String, Object> settings = KafkaCluster.at(bootstrap).with(Edge.PRODUCER);
         int mostOnTheWay = (int) settings.getOrDefault(ProducerConfig.MAX_IN_FLIGHT_REQUESTS_PER_CONNECTION, 5);
         Process broker = BrokerProcess.start(directory, port, controller);
         CountDownLatch killed = new CountDownLatch(1);

@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.function.BooleanSupplier;
 import org.evoloop.fleet.device.Model;
 import org.evoloop.fleet.stream.FleetTopics;
+import org.evoloop.fleet.stream.KafkaCluster;
 import org.evoloop.fleet.wire.ModelRecord;
 import org.evoloop.fleet.wire.Topic;
 import org.evoloop.statemachine.StateMachine;
@@ -24,12 +25,12 @@ final class PressedLamps implements AutoCloseable {
     PressedLamps(String bootstrap, String fleet, int number, ModelRecord models) {
         this.bootstrap = bootstrap;
         this.fleet = fleet;
-        try (FleetTopics topics = new FleetTopics(bootstrap, fleet)) {
+        try (FleetTopics topics = new FleetTopics(KafkaCluster.at(bootstrap), fleet)) {
             topics.create(3);
         }
         Model lamp = ModelRecord.read("lamp-1", models.bytes());
         StateMachine device = lamp.rules().table().models().original();
-        edge = new Edge(bootstrap, fleet, device, number, Set.of());
+        edge = new Edge(KafkaCluster.at(bootstrap), fleet, device, number, Set.of());
         edge.write(Topic.MODELS, "lamp-1", models.bytes());
     }
 

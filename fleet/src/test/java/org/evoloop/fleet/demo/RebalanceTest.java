@@ -10,6 +10,7 @@ import org.evoloop.fleet.Brokers;
 import org.evoloop.fleet.Models;
 import org.evoloop.fleet.stream.Fleet;
 import org.evoloop.fleet.stream.FleetSettings;
+import org.evoloop.fleet.stream.KafkaCluster;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -25,7 +26,8 @@ class RebalanceTest {
         try (PressedLamps lamps = new PressedLamps(Brokers.shared(), name, 60, Models.LAMP)) {
             Deque<Fleet> instances = new ArrayDeque<>();
             for (int each = 0; each < 6; each++) {
-                Fleet next = new Fleet(Brokers.shared(), settings.withStateDirectory(directory.resolve("i" + each)));
+                Fleet next = new Fleet(
+                        KafkaCluster.at(Brokers.shared()), settings.withStateDirectory(directory.resolve("i" + each)));
                 next.start();
                 instances.add(next);
                 if (each == 2) {

@@ -16,6 +16,7 @@ import org.evoloop.fleet.Models;
 import org.evoloop.fleet.broker.LocalBroker;
 import org.evoloop.fleet.stream.Fleet;
 import org.evoloop.fleet.stream.FleetSettings;
+import org.evoloop.fleet.stream.KafkaCluster;
 import org.evoloop.fleet.wire.Topic;
 import org.evoloop.fleet.wire.Wire;
 import org.evoloop.mqtt.BrokerAddress;
@@ -46,12 +47,12 @@ class GatewayTest {
         String bootstrap = broker.bootstrap();
         try (Mosquitto mosquitto = new Mosquitto(directory).start();
                 BrokerConnection lamp = lamp(mosquitto);
-                Cluster cluster = new Cluster(bootstrap, FLEET, 2)) {
+                Cluster cluster = new Cluster(KafkaCluster.at(bootstrap), FLEET, 2)) {
             cluster.write(Topic.MODELS, "lamp-1", Models.LAMP.bytes());
             cluster.flush();
             FleetSettings settings =
                     FleetSettings.defaults().withFleet(FLEET).withStateDirectory(directory.resolve("s"));
-            try (Fleet fleet = new Fleet(bootstrap, settings);
+            try (Fleet fleet = new Fleet(KafkaCluster.at(bootstrap), settings);
                     Gateway gateway = gateway(bootstrap, mosquitto)) {
                 fleet.start();
                 assertThat(fleet.awaitRunning(LIMIT)).isTrue();
@@ -61,7 +62,8 @@ class GatewayTest {
                 Awaitility.await().atMost(LIMIT).until(gateway::reachesDevices);
                 for (String level : List.of("NaN", "1e999")) {
                     lamp.publish(Message.event(
-                            "evoloop/lamp/occurrence", "{\"event\":\"switch\",\"values\":{\"level\":" + level + "}}"));
+                            "evoloop/lamp/occurrence",
+                            "{\"schema\":1,\"event\":\"switch\",\"values\":{\"level\":" + level + "}}"));
                 }
                 cluster.readUntil(all -> all.of(Topic.DEAD_LETTERS, "lamp").size() == 2);
                 assertThat(cluster.records().of(Topic.DEAD_LETTERS, "lamp"))
@@ -96,7 +98,7 @@ class GatewayTest {
         try (Mosquitto mosquitto = new Mosquitto(directory).start();
                 BrokerConnection device =
                         new BrokerConnection(BrokerAddress.parse("mqtt://127.0.0.1:" + mosquitto.port()), "device");
-                Cluster cluster = new Cluster(Brokers.shared(), FLEET, 2);
+                Cluster cluster = new Cluster(KafkaCluster.at(Brokers.shared()), FLEET, 2);
                 Gateway gateway = gateway(Brokers.shared(), mosquitto)) {
             device.subscribe("evoloop/lamp/kept", message -> kept.add(message.payload()));
             device.open();
@@ -110,7 +112,8 @@ class GatewayTest {
                     "\"number\":12,\"first\":12",
                     "\"number\":14,\"first\":12",
                     "\"number\":20")) {
-                device.publish(Message.event("evoloop/lamp/occurrence", "{" + numbers + ",\"event\":\"switch\"}"));
+                device.publish(Message.event(
+                        "evoloop/lamp/occurrence", "{\"schema\":1," + numbers + ",\"event\":\"switch\"}"));
             }
             Awaitility.await().atMost(LIMIT).until(() -> kept.contains(kept(20)));
             assertThat(kept).containsExactly(kept(7), kept(8), kept(8), kept(12), kept(20));
@@ -141,7 +144,7 @@ class GatewayTest {
             assertThat(gateway.waiting()).isEqualTo(Gateway.MOST_WAITING);
 
             try (LocalBroker broker = LocalBroker.start(directory.resolve("kafka"), port, LocalBroker.freePort());
-                    Cluster cluster = new Cluster(broker.bootstrap(), FLEET, 1)) {
+                    Cluster cluster = new Cluster(KafkaCluster.at(broker.bootstrap()), FLEET, 1)) {
                 Awaitility.await().atMost(LIMIT).until(() -> gateway.waiting() == 0);
                 numbered(device, 2);
                 Awaitility.await().atMost(LIMIT).until(() -> kept.contains(kept(2)));
@@ -154,7 +157,7 @@ class GatewayTest {
     private static void numbered(BrokerConnection device, int number) {
         device.publish(Message.event(
                 "evoloop/lamp/occurrence",
-                "{\"number\":" + number + ",\"first\":" + number + ",\"event\":\"switch\"}"));
+                "{\"schema\":1,\"number\":" + number + ",\"first\":" + number + ",\"event\":\"switch\"}"));
     }
 
     /** Otherwise the fleet would take its records for repetitions. */
@@ -164,10 +167,10 @@ class GatewayTest {
         FleetSettings settings = FleetSettings.defaults().withFleet(name).withStateDirectory(directory.resolve("s"));
         try (Mosquitto mosquitto = new Mosquitto(directory).start();
                 BrokerConnection lamp = lamp(mosquitto);
-                Cluster cluster = new Cluster(Brokers.shared(), name, 1)) {
+                Cluster cluster = new Cluster(KafkaCluster.at(Brokers.shared()), name, 1)) {
             cluster.write(Topic.MODELS, "lamp-1", Models.LAMP.bytes());
             cluster.flush();
-            try (Fleet fleet = new Fleet(Brokers.shared(), settings)) {
+            try (Fleet fleet = new Fleet(KafkaCluster.at(Brokers.shared()), settings)) {
                 fleet.start();
                 assertThat(fleet.awaitRunning(LIMIT)).isTrue();
                 cluster.write(Topic.DEVICES, "lamp", Wire.device("lamp-1"));
@@ -192,7 +195,7 @@ class GatewayTest {
         List<String> states = new CopyOnWriteArrayList<>();
         try (Mosquitto mosquitto = new Mosquitto(directory).start();
                 BrokerConnection watcher = new BrokerConnection(BrokerAddress.parse(mosquitto.url()), "watcher");
-                Cluster cluster = new Cluster(Brokers.shared(), name, 1)) {
+                Cluster cluster = new Cluster(KafkaCluster.at(Brokers.shared()), name, 1)) {
             watcher.subscribe("evoloop/hall/state", message -> states.add(message.payload()));
             watcher.subscribe("evoloop/lamp/state", message -> states.add(message.payload()));
             watcher.open();
@@ -233,8 +236,8 @@ class GatewayTest {
                 Gateway gateway = gateway("localhost:1", FLEET, mosquitto, Set.of("a", "b"), "journal")) {
             device.subscribe("evoloop/b/kept", message -> kept.add(message.payload()));
             device.open();
-            device.publish(Message.state("evoloop/a/occurrence", "{\"event\":\"switch\"}"));
-            device.publish(Message.state("evoloop/b/occurrence", "{\"event\":\"switch\",\"number\":7}"));
+            device.publish(Message.state("evoloop/a/occurrence", "{\"schema\":1,\"event\":\"switch\"}"));
+            device.publish(Message.state("evoloop/b/occurrence", "{\"schema\":1,\"event\":\"switch\",\"number\":7}"));
             device.publish(Message.state("evoloop/b/end", "there"));
             try (BrokerConnection later = new BrokerConnection(BrokerAddress.parse(mosquitto.url()), "later")) {
                 List<String> ends = new CopyOnWriteArrayList<>();
@@ -245,7 +248,7 @@ class GatewayTest {
             gateway.start();
             // From then on it has got what was retained.
             Awaitility.await().atMost(LIMIT).until(() -> gateway.reachesDevices() && device.isUp());
-            device.publish(Message.event("evoloop/b/occurrence", "{\"event\":\"switch\",\"number\":8}"));
+            device.publish(Message.event("evoloop/b/occurrence", "{\"schema\":1,\"event\":\"switch\",\"number\":8}"));
             Awaitility.await().atMost(LIMIT).until(() -> kept.contains(kept(8)));
             assertThat(gateway.waiting()).isEqualTo(2);
         }
@@ -274,7 +277,14 @@ class GatewayTest {
 
     private Gateway gateway(String bootstrap, String fleet, Mosquitto mosquitto, Set<String> devices, String journal) {
         BrokerAddress address = BrokerAddress.parse(mosquitto.url());
-        return new Gateway(bootstrap, fleet, "house", address, devices, directory.resolve(journal), statuses::add);
+        return new Gateway(
+                KafkaCluster.at(bootstrap),
+                fleet,
+                "house",
+                address,
+                devices,
+                directory.resolve(journal),
+                statuses::add);
     }
 
     /** Carries out each command, and reports it. */

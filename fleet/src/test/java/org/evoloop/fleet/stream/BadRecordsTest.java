@@ -27,6 +27,8 @@ class BadRecordsTest {
             bad(fleet, "a", Topic.OCCURRENCES, "{\"schema\":1,", "malformed", "not valid JSON");
             bad(fleet, "b", Topic.OCCURRENCES, "[1]", "malformed", "a JSON object was expected");
             bad(fleet, "c", Topic.OCCURRENCES, "{\"schema\":2}", "newer-schema", "update it first");
+            bad(fleet, "c", Topic.OCCURRENCES, "{\"event\":\"switch\"}", "malformed", "it has no schema; write");
+            bad(fleet, "c", Topic.DEVICES, "{\"model\":\"lamp-1\"}", "malformed", "it has no schema; write");
             bad(fleet, "d", Topic.OCCURRENCES, Wire.text(RunningFleet.press(now)), "unknown-device", "no device d");
             bad(fleet, "e", Topic.DEVICES, "{\"schema\":1,\"model\":\"none\"}", "unknown-model", "publish them first");
             bad(fleet, "good", Topic.OCCURRENCES, Wire.text(RunningFleet.press(now + hour)), "clock", "ahead of");
@@ -48,8 +50,18 @@ class BadRecordsTest {
             String kind = Wire.text(RunningFleet.press(now)).replace("heard", rest);
             bad(fleet, "good", Topic.OCCURRENCES, kind, "malformed", "'zzz");
             String event = Wire.text(RunningFleet.press(now)).replace("switch", rest);
-            bad(fleet, "good", Topic.OCCURRENCES, event, "too-large", "a record in DECISIONS would have 1040");
+            bad(
+                    fleet,
+                    "good",
+                    Topic.OCCURRENCES,
+                    event,
+                    "malformed",
+                    "'event' has 1040000 characters, allowed are 1000");
             fleet.press("good");
+            fleet.cluster.readUntil(
+                    records -> records.of(Topic.COMMANDS, "good").size() == 1);
+            Answer failed = new Answer(1, Answer.Outcome.FAILED, rest, null, now);
+            bad(fleet, "good", Topic.EFFECTS, Wire.text(Wire.effect(failed)), "too-large", "DECISIONS would have 1040");
             fleet.answer("good", 1, Answer.Outcome.SENT);
             fleet.cluster.readUntil(
                     records -> records.of(Topic.DECISIONS, "good").size() == 1);

@@ -15,7 +15,7 @@ class FleetTopicsTest {
     @Test
     void missingAndMismatchedTopicsAreNamed() throws Exception {
         String fleet = Brokers.freshFleet();
-        try (FleetTopics topics = new FleetTopics(Brokers.shared(), fleet)) {
+        try (FleetTopics topics = new FleetTopics(KafkaCluster.at(Brokers.shared()), fleet)) {
             assertThatThrownBy(topics::check)
                     .isInstanceOf(FleetException.class)
                     .hasMessageContaining(fleet + ".occurrences is missing")
@@ -38,10 +38,10 @@ class FleetTopicsTest {
 
     @Test
     void anInvalidAddressIsReported() {
-        assertThatThrownBy(() -> new FleetTopics("nowhere", "x"))
+        assertThatThrownBy(() -> new FleetTopics(KafkaCluster.at("nowhere"), "x"))
                 .isInstanceOf(FleetException.class)
                 .hasMessageContaining("'nowhere' is not the address of a Kafka broker");
-        try (FleetTopics topics = new FleetTopics("localhost:1", "x")) {
+        try (FleetTopics topics = new FleetTopics(KafkaCluster.at("localhost:1"), "x")) {
             assertThatThrownBy(topics::check)
                     .isInstanceOf(FleetException.class)
                     .hasMessageContaining("localhost:1")
@@ -51,7 +51,7 @@ class FleetTopicsTest {
 
     @Test
     void theySuit() throws Exception {
-        try (FleetTopics topics = new FleetTopics(Brokers.shared(), Brokers.freshFleet())) {
+        try (FleetTopics topics = new FleetTopics(KafkaCluster.at(Brokers.shared()), Brokers.freshFleet())) {
             topics.create(3);
             topics.create(5);
             assertThat(topics.check()).isEqualTo(3);

@@ -33,7 +33,7 @@ final class RunningFleet implements AutoCloseable {
     }
 
     private Fleet started(Path directory) throws Exception {
-        Fleet next = new Fleet(Brokers.shared(), settings.withStateDirectory(directory));
+        Fleet next = new Fleet(KafkaCluster.at(Brokers.shared()), settings.withStateDirectory(directory));
         next.start();
         assertThat(next.awaitRunning(Duration.ofMinutes(1))).isTrue();
         return next;

@@ -46,7 +46,7 @@ class SameAsAloneTest {
                     .withFleet(cluster.fleet())
                     .withStateDirectory(directory)
                     .withStreamTime();
-            try (Fleet fleet = new Fleet(Brokers.shared(), settings)) {
+            try (Fleet fleet = new Fleet(KafkaCluster.at(Brokers.shared()), settings)) {
                 fleet.start();
                 assertThat(fleet.awaitRunning(Duration.ofMinutes(1))).isTrue();
                 cluster.readUntil(records -> records.size() >= expected.size());

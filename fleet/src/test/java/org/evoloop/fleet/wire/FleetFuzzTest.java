@@ -354,21 +354,34 @@ class FleetFuzzTest {
                 + "<transition event='switch' target='off'/></state></scxml>\"}";
         String other = Wire.text(new Rollout(ODD, "lamp-1", "lamp-2", 100, "", 5, 20, "").bytes());
         return List.of(
-                seed(Topic.OCCURRENCES, 0, "{\"schema\":1,\"number\":7,\"event\":\"switch\"" + at + "}"),
-                seed(Topic.OCCURRENCES, 0, "{\"event\":\"switch\",\"values\":{\"level\":1e999}" + at + "}"),
+                seed(Topic.OCCURRENCES, 0, "{\"schema\":1,\"schema\":1,\"number\":7,\"event\":\"switch\"" + at + "}"),
+                seed(
+                        Topic.OCCURRENCES,
+                        0,
+                        "{\"schema\":1,\"event\":\"switch\",\"values\":{\"level\":1e999}" + at + "}"),
                 seed(
                         Topic.OCCURRENCES,
                         1,
-                        "{\"kind\":\"heard\",\"event\":\"switch\",\"source\":\"device\",\"deviceActed\":true,"
+                        "{\"schema\":1,\"kind\":\"heard\",\"event\":\"switch\",\"source\":\"device\",\"deviceActed\":true,"
                                 + "\"holding\":[\"dark\"],\"visit\":1,\"values\":{\"a\":1.5,\"b\":\"c\",\"d\":true}"
                                 + at + "}"),
-                seed(Topic.OCCURRENCES, 1, "{\"kind\":\"found\",\"state\":\"on\"" + at + "}"),
-                seed(Topic.OCCURRENCES, 1, "{\"kind\":\"asked\",\"event\":\"timeout\"" + at + "}"),
-                seed(Topic.OCCURRENCES, 2, "{\"event\":\"switch\"" + at + "}"),
+                seed(Topic.OCCURRENCES, 1, "{\"schema\":1,\"schema\":1,\"kind\":\"found\",\"state\":\"on\"" + at + "}"),
+                seed(
+                        Topic.OCCURRENCES,
+                        1,
+                        "{\"schema\":1,\"schema\":1,\"kind\":\"asked\",\"event\":\"timeout\"" + at + "}"),
+                seed(Topic.OCCURRENCES, 2, "{\"schema\":1,\"event\":\"switch\"" + at + "}"),
                 seed(Topic.OCCURRENCES, 3, "{}"),
-                seed(Topic.EFFECTS, 1, "{\"sequence\":1,\"outcome\":\"sent\",\"state\":\"on\"" + at + "}"),
-                seed(Topic.EFFECTS, 0, "{\"sequence\":1,\"outcome\":\"in-doubt\",\"reason\":\"?\"" + at + "}"),
-                seed(Topic.EFFECTS, 0, "{\"sequence\":1,\"outcome\":\"failed\",\"state\":\" \"" + at + "}"),
+                seed(Topic.EFFECTS, 1, "{\"schema\":1,\"sequence\":1,\"outcome\":\"sent\",\"state\":\"on\"" + at + "}"),
+                seed(
+                        Topic.EFFECTS,
+                        0,
+                        "{\"schema\":1,\"schema\":1,\"sequence\":1,\"outcome\":\"in-doubt\",\"reason\":\"?\"" + at
+                                + "}"),
+                seed(
+                        Topic.EFFECTS,
+                        0,
+                        "{\"schema\":1,\"schema\":1,\"sequence\":1,\"outcome\":\"failed\",\"state\":\" \"" + at + "}"),
                 seed(Topic.DEVICES, 2, "{\"schema\":1,\"model\":\"lamp-2\"}"),
                 seed(Topic.DEVICES, 0, "{\"schema\":1,\"model\":\"\\ud83d\"}"),
                 seed(Topic.MODELS, 0, models),
@@ -391,9 +404,12 @@ class FleetFuzzTest {
                 seed(
                         Topic.COMMANDS,
                         0,
-                        "{\"sequence\":1,\"kind\":\"send\",\"deadlineMillis\":1,\"event\":\"switch\",\"from\":\"off\","
+                        "{\"schema\":1,\"sequence\":1,\"kind\":\"send\",\"deadlineMillis\":1,\"event\":\"switch\",\"from\":\"off\","
                                 + "\"to\":\"on\",\"visit\":3,\"function\":false}"),
-                seed(Topic.COMMANDS, 0, "{\"sequence\":1,\"kind\":\"run\",\"deadlineMillis\":1,\"effect\":\"beep\"}"));
+                seed(
+                        Topic.COMMANDS,
+                        0,
+                        "{\"schema\":1,\"sequence\":1,\"kind\":\"run\",\"deadlineMillis\":1,\"effect\":\"beep\"}"));
     }
 
     private static byte[] seed(Topic topic, int key, String record) {

@@ -17,8 +17,42 @@ import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
 
 class ReadingTest {
+    /** Reads a record, to which a schema is added if it has none. */
     private static Reading reading(String record) {
+        return readingOf(
+                record.startsWith("{\"") && !record.contains("schema")
+                        ? "{\"schema\":1," + record.substring(1)
+                        : record);
+    }
+
+    private static Reading readingOf(String record) {
         return Reading.of(record.getBytes(StandardCharsets.UTF_8));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"{}", "{\"event\":\"e\"}", "{\"schema\":null}"})
+    void aRecordWithoutASchemaIsMalformed(String record) {
+        assertThatThrownBy(() -> readingOf(record))
+                .isInstanceOfSatisfying(
+                        Refusal.class, refusal -> assertThat(refusal.reason()).isEqualTo(Refusal.Reason.MALFORMED))
+                .hasMessage("it has no schema; write \"schema\":1");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "{\"atMillis\":1,\"event\":\"?\"}",
+                "{\"atMillis\":1,\"kind\":\"asked\",\"event\":\"?\"}",
+                "{\"atMillis\":1,\"kind\":\"found\",\"state\":\"?\"}",
+                "{\"atMillis\":1,\"event\":\"e\",\"holding\":[\"?\"]}",
+                "{\"atMillis\":1,\"event\":\"e\",\"values\":{\"?\":1}}"
+            })
+    void anOversizedNameIsMalformed(String record) {
+        assertThat(reading(record.replace("?", "n".repeat(1_000))).occurrence()).isNotNull();
+        assertThatThrownBy(() -> reading(record.replace("?", "n".repeat(1_001))).occurrence())
+                .isInstanceOfSatisfying(
+                        Refusal.class, refusal -> assertThat(refusal.reason()).isEqualTo(Refusal.Reason.MALFORMED))
+                .hasMessageContaining("has 1001 characters, allowed are 1000");
     }
 
     @Test
@@ -27,7 +61,7 @@ class ReadingTest {
         Random random = new Random(seed);
         JsonMapper mapper = new JsonMapper();
         for (int round = 0; round < 500; round++) {
-            ObjectNode record = mapper.createObjectNode();
+            ObjectNode record = mapper.createObjectNode().put("schema", 1);
             int count = random.nextInt(30);
             for (int at = 0; at < count; at++) {
                 record.put("text-" + at, "\u00fc\u20ac\"\\ " + random.nextInt())
@@ -146,7 +180,7 @@ class ReadingTest {
                     .hasMessage("the number 'level" + remedy);
             assertThatThrownBy(() -> Rollout.read(
                             "all",
-                            ("{\"from\":\"a\",\"to\":\"b\",\"percent\":" + large + "}")
+                            ("{\"schema\":1,\"from\":\"a\",\"to\":\"b\",\"percent\":" + large + "}")
                                     .getBytes(StandardCharsets.UTF_8)))
                     .hasMessage("the number 'percent" + remedy);
         }

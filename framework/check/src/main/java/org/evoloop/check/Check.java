@@ -9,8 +9,8 @@ import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.ModelPair;
 
 /**
- * Checks a pair of machines before it runs: all rules of {@link Rule} except {@link Rule#PROPERTY} and those about
- * time, {@link Rule#TIME_DEADLOCK}, {@link Rule#TIMER_RACE} and {@link Rule#STEP_OUTLIVES_VISIT}.
+ * Checks a pair of machines before it runs: all rules of {@link Rule} except {@link Rule#PROPERTY}, {@link
+ * Rule#UNKNOWN_PROPERTY} and those about time, {@link Rule#TIME_DEADLOCK}, {@link Rule#TIMER_RACE} and {@link Rule#STEP_OUTLIVES_VISIT}.
  *
  * <p>Threading: thread-safe, since it has no state.
  *

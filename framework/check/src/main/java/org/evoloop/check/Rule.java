@@ -56,7 +56,9 @@ public enum Rule {
     /** A timer is due while a step of its own visit is still being sent. */
     STEP_OUTLIVES_VISIT(Severity.WARNING),
     /** A property of the pair does not hold. */
-    PROPERTY(Severity.ERROR);
+    PROPERTY(Severity.ERROR),
+    /** Whether a property holds depends on what a function sends to the device. */
+    UNKNOWN_PROPERTY(Severity.WARNING);
 
     private final Severity severity;
 

@@ -182,7 +182,7 @@ class CheckTest {
 
     /** Rules about property files and about time, which have their own tests. */
     private static final Set<Rule> JUDGED_ELSEWHERE =
-            Set.of(Rule.PROPERTY, Rule.TIME_DEADLOCK, Rule.TIMER_RACE, Rule.STEP_OUTLIVES_VISIT);
+            Set.of(Rule.PROPERTY, Rule.UNKNOWN_PROPERTY, Rule.TIME_DEADLOCK, Rule.TIMER_RACE, Rule.STEP_OUTLIVES_VISIT);
 
     @ParameterizedTest
     @EnumSource(Rule.class)

@@ -1,7 +1,6 @@
 package org.evoloop.config;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.CharBuffer;
 import java.nio.charset.CharsetDecoder;
@@ -31,9 +30,8 @@ final class FileText {
             return refused(mistakes, file + ": is a directory; name a file in it");
         }
         byte[] bytes;
-        // Read without asking for its size: it may be a pipe.
-        try (InputStream in = Files.newInputStream(file)) {
-            bytes = in.readNBytes(LARGEST + 1);
+        try {
+            bytes = FileBytes.first(LARGEST + 1, file);
         } catch (NoSuchFileException missing) {
             return refused(mistakes, file + ": does not exist; correct the path");
         } catch (AccessDeniedException denied) {

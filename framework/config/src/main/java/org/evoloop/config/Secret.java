@@ -1,11 +1,9 @@
 package org.evoloop.config;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
@@ -45,13 +43,13 @@ public record Secret(Option<Path> file, String variable) {
     public Optional<String> in(Settings settings) {
         Optional<Path> named = settings.get(file);
         return named.isPresent()
-                ? Optional.of(read(named.get()))
+                ? Optional.of(settings.secret(named.get(), this::read))
                 : Optional.ofNullable(settings.environment().get(variable)).filter(text -> !text.isEmpty());
     }
 
     private String read(Path from) {
-        try (InputStream in = Files.newInputStream(from)) {
-            byte[] bytes = in.readNBytes(LONGEST + 1);
+        try {
+            byte[] bytes = FileBytes.first(LONGEST + 1, from);
             if (bytes.length > LONGEST) {
                 throw refused(
                         from, "is larger than " + LONGEST + " bytes; name a file that holds nothing but the secret");

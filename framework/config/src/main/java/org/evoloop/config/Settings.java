@@ -1,15 +1,18 @@
 package org.evoloop.config;
 
 import java.io.PrintStream;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Function;
 
 /**
  * The options given to a program, from all sources.
  *
- * <p>Threading: immutable.
+ * <p>Threading: thread-safe.
  *
  * @since 0.1
  */
@@ -17,6 +20,7 @@ public final class Settings {
     private final Options options;
     private final Map<Option<?>, Setting> given;
     private final Map<String, String> environment;
+    private final Map<Path, String> secrets = new ConcurrentHashMap<>();
 
     Settings(Options options, Map<Option<?>, Setting> given, Map<String, String> environment) {
         this.options = options;
@@ -83,6 +87,11 @@ public final class Settings {
 
     Optional<Setting> setting(Option<?> option) {
         return Optional.ofNullable(given.get(option));
+    }
+
+    /** The secret in a file; it is read once, since the file may be a pipe. */
+    String secret(Path file, Function<Path, String> reader) {
+        return secrets.computeIfAbsent(file, reader);
     }
 
     Map<String, String> environment() {

@@ -11,6 +11,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Which values are in force, where they came from, and that they can be written back to a file. */
@@ -38,6 +41,29 @@ class SettingsTest {
         assertThat(settings.get(FanOptions.SPEED)).contains(5);
         assertThat(settings.all(FanOptions.BREEZE_AT)).containsExactly("1", "2");
         assertThat(settings.asArguments()).contains("--simulate", "--speed=5", "--breeze-at=1", "--breeze-at=2");
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // opening a pipe cannot be interrupted
+    void aFileAndASecretMayBePipes() throws Exception {
+        Path secret = pipe("secret", "s3cret\n");
+        Settings settings = FanOptions.read(
+                "--config",
+                pipe("fan.yaml", "simulate: true\nspeed: 4\n").toString(),
+                "--fan-password-file",
+                secret.toString());
+        assertThat(settings.get(FanOptions.SPEED)).contains(4);
+        assertThat(FanOptions.PASSWORD.in(settings)).contains("s3cret");
+    }
+
+    /** A pipe from which {@code text} can be read once. */
+    private Path pipe(String name, String text) throws Exception {
+        Path pipe = folder.resolve(name);
+        assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
+                .isZero();
+        new ProcessBuilder("sh", "-c", "printf %s \"$1\" >\"$0\"", pipe.toString(), text).start();
+        return pipe;
     }
 
     @Test

@@ -3,6 +3,7 @@ package org.evoloop.console;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintStream;
+import java.net.URI;
 import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -59,6 +60,7 @@ public final class Console {
     private final Ending ending = new Ending();
     private boolean outlivesInput;
     private @Nullable OfferedModels offeredModels;
+    private volatile @Nullable URI page;
 
     private final Reader reader = new Reader() {
         @Override
@@ -133,6 +135,16 @@ public final class Console {
         EvolveCommands.of(converter, models, offered).forEach(commands::add);
     }
 
+    /** Sets the address of the converter's page in the browser. */
+    public void shownAt(URI address) {
+        page = address;
+    }
+
+    /** The address of the converter's page in the browser; empty if it has none. */
+    public Optional<URI> page() {
+        return Optional.ofNullable(page);
+    }
+
     /** The models that {@code evolve} offers; empty if there is no such command. */
     public Optional<OfferedModels> offeredModels() {
         return Optional.ofNullable(offeredModels);
@@ -144,7 +156,8 @@ public final class Console {
                 command.usage(),
                 command.help(),
                 (arguments, results) -> inTurn(command, arguments, results),
-                command.completion()));
+                command.completion(),
+                command.offered()));
         added.add(command);
     }
 

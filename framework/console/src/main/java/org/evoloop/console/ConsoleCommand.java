@@ -23,10 +23,16 @@ import java.util.function.Function;
  * @param help what the command does, for {@code help}; the first line is shown in the list of all commands
  * @param action what it does
  * @param completion the words that may follow those given, which begin with the first argument
+ * @param offered whether it is for everybody who operates the converter: it is then suggested as the next step, and a
+ *     button on the page
  * @since 0.1
  */
 public record ConsoleCommand(
-        String usage, String help, Action action, Function<List<String>, Collection<String>> completion) {
+        String usage,
+        String help,
+        Action action,
+        Function<List<String>, Collection<String>> completion,
+        boolean offered) {
 
     /** The action of a command. */
     @FunctionalInterface
@@ -43,12 +49,17 @@ public record ConsoleCommand(
 
     /** A command without completion of its arguments. */
     public static ConsoleCommand of(String usage, String help, Action action) {
-        return new ConsoleCommand(usage, help, action, before -> List.of());
+        return new ConsoleCommand(usage, help, action, before -> List.of(), true);
     }
 
     /** A copy with another completion. */
     public ConsoleCommand completing(Function<List<String>, Collection<String>> words) {
-        return new ConsoleCommand(usage, help, action, words);
+        return new ConsoleCommand(usage, help, action, words, offered);
+    }
+
+    /** A copy for those who try something out, such as a command that lets a simulated device act; not offered. */
+    public ConsoleCommand notOffered() {
+        return new ConsoleCommand(usage, help, action, completion, false);
     }
 
     /** What the user types. */

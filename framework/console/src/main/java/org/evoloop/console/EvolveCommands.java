@@ -57,7 +57,11 @@ final class EvolveCommands {
                                 --probation-events N: the same for this many events
                                 --no-way-back: even if a rollback is impossible from some of its states""", own::evolve)
                         .completing(before -> before.isEmpty() ? offered.references() : OPTIONS),
-                ConsoleCommand.of("rollback", "goes back to the models before the last evolve", own::rollBack),
+                ConsoleCommand.of(
+                                "rollback [--within SECONDS]",
+                                "goes back to the models before the last evolve",
+                                own::rollBack)
+                        .completing(before -> before.isEmpty() ? List.of("--within") : List.of()),
                 ConsoleCommand.of("shadow [FILE#NAME|off] [OPTION...]", """
                                 lets another new model decide the same events, without acting on its decisions
                                 without FILE#NAME: shows what it would have decided differently
@@ -116,7 +120,17 @@ final class EvolveCommands {
     }
 
     private void rollBack(List<String> arguments, PrintStream out) {
-        say(converter.rollBack(), Probation.NONE, out);
+        Deque<String> words = new ArrayDeque<>(arguments);
+        Duration within = Evolution.USUAL_DEADLINE;
+        while (!words.isEmpty()) {
+            String option = words.remove();
+            if (!option.equals("--within")) {
+                throw new IllegalArgumentException(
+                        "rollback has no option " + Names.shown(option) + "; it takes --within SECONDS");
+            }
+            within = Asked.seconds(option, words);
+        }
+        say(converter.rollBack(within), Probation.NONE, out);
     }
 
     /** Names from models may contain line breaks. */

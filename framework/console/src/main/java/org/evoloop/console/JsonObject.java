@@ -47,6 +47,11 @@ public final class JsonObject {
         return putText(key, Long.toString(value));
     }
 
+    /** Puts a finite number. */
+    public JsonObject put(String key, double value) {
+        return putText(key, Double.toString(value));
+    }
+
     /** Puts true or false. */
     public JsonObject put(String key, boolean value) {
         return putText(key, Boolean.toString(value));

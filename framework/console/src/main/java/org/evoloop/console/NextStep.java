@@ -38,6 +38,7 @@ final class NextStep {
         }
         Set<String> acceptable = acceptable(converter);
         return offered.stream()
+                .filter(ConsoleCommand::offered)
                 .map(command -> typed(command).filter(line -> acceptable.contains(plain(lastWord(line)))))
                 .map(fitting -> fitting.limit(MOST).collect(Collectors.joining(" or ")))
                 .filter(line -> !line.isEmpty())

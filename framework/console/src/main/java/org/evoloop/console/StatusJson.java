@@ -26,6 +26,8 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code doubt}: why the original state may be wrong, empty if it is certain
  *   <li>{@code function}: {@code state}, {@code thread}, {@code progress} in words, {@code readings} as below; all
  *   empty if no new function runs
+ *   <li>{@code timers}, those of the new model's state, the next one first: {@code event}, {@code remainingMillis},
+ *   {@code due} in UTC
  *   <li>{@code faults}, a list of failed parts other than components, such as a guard or a function: {@code part},
  *   {@code failures}, {@code lastFailure}
  *   <li>{@code link}: {@code up}, {@code text}, {@code readings}, an object with a member for each thing known
@@ -92,6 +94,7 @@ public final class StatusJson {
                                 .put("thread", status.function().thread())
                                 .put("progress", status.function().progress())
                                 .put("readings", JsonObject.of(status.function().readings())))
+                .put("timers", status.timers().stream().map(StatusJson::timer).toList())
                 .put("faults", status.faults().stream().map(StatusJson::fault).toList())
                 .put("link", link(status.link()))
                 .toString();
@@ -114,6 +117,13 @@ public final class StatusJson {
                 .put("activity", lowerCase(component.activity()))
                 .put("failures", component.failures())
                 .put("lastFailure", component.lastFailure());
+    }
+
+    private static JsonObject timer(ConverterStatus.RunningTimer timer) {
+        return new JsonObject()
+                .put("event", timer.event())
+                .put("remainingMillis", timer.remaining().toMillis())
+                .put("due", timer.due().toString());
     }
 
     private static JsonObject fault(ConverterStatus.Fault fault) {

@@ -14,6 +14,7 @@ import java.util.stream.Stream;
 import org.evoloop.converter.ConverterStatus;
 import org.evoloop.converter.ConverterStatus.ConversionTime;
 import org.evoloop.converter.HistoryEntry;
+import org.evoloop.converter.Trouble;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.LoopState;
@@ -27,6 +28,8 @@ final class StatusText {
 
     /** An event that took less is shown without the time when it was observed. */
     private static final Duration NOTICEABLE = Duration.ofSeconds(1);
+
+    private static final int MOST_TROUBLES = 5;
 
     private StatusText() {}
 
@@ -44,6 +47,9 @@ final class StatusText {
             line(out, "in doubt", status.doubt());
         }
         line(out, "now", now(status));
+        if (!status.timers().isEmpty()) {
+            line(out, "timers", timers(status));
+        }
         ConverterStatus.LinkStatus link = status.link();
         if (link != null) {
             if (!link.up()) {
@@ -99,6 +105,12 @@ final class StatusText {
         return Names.inOneLine(shown);
     }
 
+    private static String timers(ConverterStatus status) {
+        return status.timers().stream()
+                .map(ConverterStatus.RunningTimer::describe)
+                .collect(Collectors.joining(", "));
+    }
+
     private static String now(ConverterStatus status) {
         if (status.loop() != LoopState.RUNNING) {
             return "events are refused until start";
@@ -136,20 +148,16 @@ final class StatusText {
     }
 
     private static String trouble(ConverterStatus status) {
-        List<String> found = new ArrayList<>();
-        for (ComponentStatus component : status.components()) {
-            if (component.activity() == ComponentStatus.Activity.STUCK) {
-                found.add(component.name() + " is stuck");
-            }
-        }
-        long failures = status.components().stream()
-                        .mapToLong(ComponentStatus::failures)
-                        .sum()
-                + status.faults().stream()
-                        .mapToLong(ConverterStatus.Fault::failures)
-                        .sum();
-        if (failures > 0) {
-            found.add(counted(failures, "failure"));
+        // Those of link and record have lines of their own.
+        List<String> found = status.troubles().stream()
+                .filter(trouble ->
+                        !trouble.part().equals(Trouble.LINK) && !trouble.part().equals(Trouble.RECORD))
+                .map(Trouble::words)
+                .collect(Collectors.toCollection(ArrayList::new));
+        if (found.size() > MOST_TROUBLES) {
+            int more = found.size() - MOST_TROUBLES;
+            found.subList(MOST_TROUBLES, found.size()).clear();
+            found.add(more + " more");
         }
         if (status.events().failed() > 0) {
             found.add(counted(status.events().failed(), "event") + " failed");
@@ -157,7 +165,7 @@ final class StatusText {
         if (status.queue().dropped() > 0) {
             found.add(counted(status.queue().dropped(), "event") + " dropped");
         }
-        return found.isEmpty() ? "" : String.join(", ", found) + "; see status --all and history";
+        return found.isEmpty() ? "" : String.join("; ", found) + "; see status --all and history";
     }
 
     private static String counted(long count, String what) {

@@ -87,7 +87,7 @@ class ConsoleTest {
                                 + component.formatted("EventPlan", "plan") + ","
                                 + component.formatted("Lamp", "execute") + "],"
                                 + "\"function\":{\"state\":\"\",\"thread\":\"\",\"progress\":\"\",\"readings\":{}},"
-                                + "\"faults\":[],\"link\":null}" + System.lineSeparator());
+                                + "\"timers\":[],\"faults\":[],\"link\":null}" + System.lineSeparator());
     }
 
     @Test

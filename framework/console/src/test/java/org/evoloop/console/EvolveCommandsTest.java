@@ -82,7 +82,7 @@ class EvolveCommandsTest {
 
     @Test
     void otherModelsTakeOverAndAreTakenBack() {
-        run("start", "evolve lamp.xml#plain", "status", "rollback", "status");
+        run("start", "evolve lamp.xml#plain", "status", "rollback --within 5", "status");
         assertThat(err.text()).isEmpty();
         assertThat(out.text()).isEqualTo("""
                 running: original off, new off
@@ -150,6 +150,8 @@ class EvolveCommandsTest {
                 "evolve lamp.xml#plain --within soon",
                 "evolve lamp.xml#plain --when-idel 3",
                 "evolve lamp.xml#plane",
+                "rollback --soon",
+                "rollback --within",
                 "evolve");
         assertThat(out.text())
                 .contains("on probation: rolls back by itself if anything goes wrong")
@@ -160,6 +162,8 @@ class EvolveCommandsTest {
                         "error: --within takes a number from 0 to 86400, not 'soon'",
                         "error: evolve has no option --when-idel; did you mean --when-idle?",
                         "error: lamp.xml has no machine 'lamp.xml#plane'",
+                        "error: rollback has no option --soon; it takes --within SECONDS",
+                        "error: --within needs a value; see help evolve",
                         "error: usage: evolve FILE#NAME [OPTION...]");
     }
 

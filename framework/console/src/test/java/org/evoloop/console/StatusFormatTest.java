@@ -53,6 +53,10 @@ class StatusFormatTest {
                             "Motors.execute: \"no\\answer\"\t\u00e9")),
             new ConverterStatus.RunningFunction(
                     "Move", "function-Move-7", "driving there", List.of(Reading.of("distance", 1.204, "m"))),
+            List.of(
+                    timer("tm(90s)", Duration.ofMillis(61_400)),
+                    timer("tm(5min)", Duration.ofSeconds(270)),
+                    timer("timeout", Duration.ofHours(3).plusMinutes(7))),
             List.of(new ConverterStatus.Fault("guard [full]", 1, "guard.full: no scales")),
             new ConverterStatus.LinkStatus(
                     true,
@@ -61,6 +65,11 @@ class StatusFormatTest {
                             Reading.of("battery", 93, "%"),
                             Reading.of("docked", false),
                             Reading.of("chargingSource", "home \"base\""))));
+
+    private static ConverterStatus.RunningTimer timer(String event, Duration remaining) {
+        return new ConverterStatus.RunningTimer(
+                event, remaining, Instant.parse("2026-11-22T15:00:00Z").plus(remaining));
+    }
 
     @Test
     void asTextInBrief() {
@@ -73,9 +82,10 @@ class StatusFormatTest {
                         "converter   robot, running",
                         "states      original On, new Move",
                         "now         Move: driving there, distance 1.2 m",
+                        "timers      tm(90s) in 61 s, tm(5min) in 4 min 30 s, timeout in 3 h 7 min",
                         "device      battery 93 %, charging source home \"base\"; not docked",
                         "link        up, /dev/ttyUSB0",
-                        "trouble     Motors is stuck, 3 failures, 1 event failed, 1 event dropped; "
+                        "trouble     Motors is stuck; guard.full: no scales; 1 event failed; 1 event dropped; "
                                 + "see status --all and history");
     }
 
@@ -113,6 +123,9 @@ class StatusFormatTest {
                         + "\"lastFailure\":\"Motors.execute: \\\"no\\\\answer\\\"\\u0009\\u00e9\"}]")
                 .endsWith("\"function\":{\"state\":\"Move\",\"thread\":\"function-Move-7\","
                         + "\"progress\":\"driving there\",\"readings\":{\"distance\":1.204}},"
+                        + "\"timers\":[{\"event\":\"tm(90s)\",\"remainingMillis\":61400,\"due\":\"2026-11-22T15:01:01.400Z\"},"
+                        + "{\"event\":\"tm(5min)\",\"remainingMillis\":270000,\"due\":\"2026-11-22T15:04:30Z\"},"
+                        + "{\"event\":\"timeout\",\"remainingMillis\":11220000,\"due\":\"2026-11-22T18:07:00Z\"}],"
                         + "\"faults\":[{\"part\":\"guard [full]\",\"failures\":1,"
                         + "\"lastFailure\":\"guard.full: no scales\"}],"
                         + "\"link\":{\"up\":true,\"text\":\"/dev/ttyUSB0\","
@@ -136,6 +149,7 @@ class StatusFormatTest {
                 BUSY.conversionTime(),
                 BUSY.components(),
                 BUSY.function(),
+                BUSY.timers(),
                 BUSY.faults(),
                 BUSY.link());
 
@@ -161,6 +175,7 @@ class StatusFormatTest {
                 BUSY.conversionTime(),
                 List.of(),
                 function,
+                List.of(),
                 List.of(),
                 link);
     }

@@ -294,6 +294,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
                 driver.conversionTime(),
                 loop.components(),
                 visits.runningFunction(),
+                closed.isPresent() ? List.of() : visits.runningTimers(driver.deadlines()),
                 books.failures().faults(),
                 link == null ? null : new ConverterStatus.LinkStatus(link.isUp(), link.describe(), link.readings()));
     }

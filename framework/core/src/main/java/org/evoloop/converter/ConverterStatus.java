@@ -1,6 +1,8 @@
 package org.evoloop.converter;
 
+import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -31,6 +33,7 @@ import org.jspecify.annotations.Nullable;
  * @param conversionTime how long conversions take
  * @param components every component and its thread
  * @param function the running new function
+ * @param timers the timers of the new model's state that run, the next one first; none while the loop is closed
  * @param faults guards, effects, functions, tasks, listeners and a journal that have failed
  * @param link the connection to the device; null if no link was registered
  * @since 0.1
@@ -48,8 +51,36 @@ public record ConverterStatus(
         ConversionTime conversionTime,
         List<ComponentStatus> components,
         RunningFunction function,
+        List<RunningTimer> timers,
         List<Fault> faults,
         @Nullable LinkStatus link) {
+
+    /**
+     * What is wrong: first what holds now, and then what has failed since the converter was built, one entry a part.
+     */
+    public List<Trouble> troubles() {
+        List<Trouble> found = new ArrayList<>();
+        LinkStatus device = link;
+        if (device != null && !device.up()) {
+            found.add(new Trouble(Trouble.LINK, device.text(), 1));
+        }
+        if (!doubt.isEmpty()) {
+            found.add(new Trouble(Trouble.RECORD, doubt, 1));
+        }
+        if (device != null && !device.error().isEmpty()) {
+            found.add(new Trouble(Trouble.DEVICE, device.error(), 1));
+        }
+        for (ComponentStatus component : components) {
+            if (component.activity() == ComponentStatus.Activity.STUCK) {
+                // When it has been given up, that is a failure: the same trouble.
+                found.add(new Trouble(component.name(), component.name() + " is stuck", component.failures() + 1));
+            } else if (component.failures() > 0) {
+                found.add(Trouble.failures(component.name(), component.failures(), component.lastFailure()));
+            }
+        }
+        faults.forEach(fault -> found.add(Trouble.failures(fault.part(), fault.failures(), fault.lastFailure())));
+        return found;
+    }
 
     /**
      * The number of events at one moment. Those observed are the sum of all others.
@@ -100,6 +131,37 @@ public record ConverterStatus(
     }
 
     /**
+     * A timer of the new model's state.
+     *
+     * @param event the event that it raises, such as {@code tm(5min)}
+     * @param remaining the time left until then, by the converter's clock; zero if it is due and waits for its turn
+     * @param due the wall-clock time of that moment; it stays the same while the timer runs
+     */
+    public record RunningTimer(String event, Duration remaining, Instant due) {
+        private static final int TENTHS_SHOWN_BELOW_SECONDS = 10;
+        private static final int MINUTES_SHOWN_FROM_SECONDS = 120;
+        private static final int HOURS_SHOWN_FROM_SECONDS = 7200;
+
+        /** For people: {@code tm(5min) in 4 min 30 s}. */
+        public String describe() {
+            return event + " in " + inWords();
+        }
+
+        private String inWords() {
+            long tenths = remaining.plusMillis(50).toMillis() / 100;
+            long seconds = remaining.plusMillis(500).toSeconds();
+            if (seconds < TENTHS_SHOWN_BELOW_SECONDS) {
+                return tenths / 10 + "." + tenths % 10 + " s";
+            } else if (seconds < MINUTES_SHOWN_FROM_SECONDS) {
+                return seconds + " s";
+            } else if (seconds < HOURS_SHOWN_FROM_SECONDS) {
+                return seconds / 60 + " min " + seconds % 60 + " s";
+            }
+            return seconds / 3600 + " h " + seconds / 60 % 60 + " min";
+        }
+    }
+
+    /**
      * A part that is not a component and has failed.
      *
      * @param part names it, such as {@code guard [full]} or {@code function Move}
@@ -117,6 +179,15 @@ public record ConverterStatus(
         /** Leaves out readings that may no longer hold. */
         public LinkStatus {
             readings = up ? List.copyOf(readings) : List.of();
+        }
+
+        /** What the device itself says is wrong, in its reading {@code error}; empty if nothing is. */
+        public String error() {
+            return readings.stream()
+                    .filter(reading -> reading.name().equals("error") && !"none".equals(reading.value()))
+                    .map(reading -> String.valueOf(reading.value()))
+                    .findFirst()
+                    .orElse("");
         }
     }
 }

@@ -2,6 +2,7 @@ package org.evoloop.converter;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.function.Supplier;
 import org.evoloop.core.Core;
@@ -311,6 +312,11 @@ final class CoreDriver {
     /** Why the record may be wrong; empty if it is certain. */
     synchronized String doubt() {
         return core.doubt();
+    }
+
+    /** When the timers that run are due. */
+    synchronized Map<Event, Long> deadlines() {
+        return core.deadlines();
     }
 
     Configuration configuration() {

@@ -24,7 +24,7 @@ public interface DeviceLink {
 
     /**
      * Current readings of the device, such as its battery; empty if there are none, or while the device cannot be
-     * reached.
+     * reached. One called {@code error} says what is wrong with the device, in words, or {@code none}.
      */
     default List<Reading> readings() {
         return List.of();

@@ -1,10 +1,15 @@
 package org.evoloop.converter;
 
+import static java.util.Objects.requireNonNull;
+
+import java.time.Duration;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.evoloop.core.Rules;
 import org.evoloop.core.Swap;
+import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.migration.Fate;
@@ -78,19 +83,24 @@ final class Evolver {
     }
 
     /** As {@link SystemEventConverter#rollBack}. */
-    Evolution.Result rollBack(ConverterShell shell, String why) {
+    Evolution.Result rollBack(ConverterShell shell, Duration deadline, String why) {
+        requireNonNull(deadline, "the deadline is null");
         wayBack(shell);
         announce(shell, why);
-        return rollBack(shell);
+        return rollBack(shell, deadline);
     }
 
     private static void announce(ConverterShell shell, String why) {
         shell.books.transcript().notice("***  The converter rolls back, " + why + ".  ***  ");
     }
 
-    private Evolution.Result rollBack(ConverterShell shell) {
+    private Evolution.Result rollBack(ConverterShell shell, Duration deadline) {
         WayBack back = wayBack(shell);
-        return evolve(shell, Evolution.to(back.to()).withMapping(back.mapping()).withoutWayBack(), true);
+        Evolution evolution = Evolution.to(back.to())
+                .withMapping(back.mapping())
+                .withDeadline(deadline)
+                .withoutWayBack();
+        return evolve(shell, evolution, true);
     }
 
     private WayBack wayBack(ConverterShell shell) {
@@ -166,11 +176,14 @@ final class Evolver {
             }
             boolean late =
                     config.clock().nanoTime() - begun >= evolution.deadline().toNanos();
-            if (late || !config.threads()) {
+            if (attempt.stuck || late || !config.threads()) {
                 throw new EvolutionException("the converter " + config.name() + " has not evolved to '"
                         + evolution.next().models().evolved().name() + "'"
-                        + (late ? " within " + evolution.deadline().toSeconds() + " s" : "") + ": "
-                        + attempt.hindrance);
+                        + (late && !attempt.stuck
+                                ? " within " + evolution.deadline().toSeconds() + " s"
+                                : "") + ": "
+                        + attempt.hindrance
+                        + (attempt.stuck ? "; no event leads to where it is possible" : ""));
             }
             try {
                 shell.driver.awaitEnded(LOOK_MILLIS);
@@ -191,14 +204,21 @@ final class Evolver {
         components.monitors().forEach(monitor -> monitor.requireKnown(next.eventNames()));
         Rules running = shell.driver.rules();
         Rules rules = new Rules(table, next::timersOf, running.queueCapacity(), running.pressAge());
+        Swap swap = Swap.of(running, rules, evolution.mapping());
         if (evolution.needsWayBack() && !back) {
-            requireWayBack(Swap.of(rules, running, evolution.mapping().reversed()), rules, running);
+            Migration there = plan(running, swap, shell.driver.configuration());
+            Swap wayBack = Swap.of(rules, running, evolution.mapping().reversed());
+            requireWayBack(Migration.plan(rules.table(), wayBack.succession(), there.ends()), rules, running);
         }
-        return new Prepared(present, components, Swap.of(running, rules, evolution.mapping()));
+        return new Prepared(present, components, swap);
     }
 
-    private static void requireWayBack(Swap back, Rules rules, Rules running) {
-        String stuck = Migration.plan(rules.table(), back.succession()).lines().stream()
+    private static Migration plan(Rules running, Swap swap, Configuration present) {
+        return Migration.plan(running.table(), swap.succession(), Set.of(present));
+    }
+
+    private static void requireWayBack(Migration back, Rules rules, Rules running) {
+        String stuck = back.lines().stream()
                 .filter(line -> line.fate() instanceof Fate.Stuck)
                 .map(line -> "  " + line.at() + ": " + ((Fate.Stuck) line.fate()).because())
                 .collect(Collectors.joining("\n"));
@@ -218,6 +238,11 @@ final class Evolver {
         private final boolean back;
         private @Nullable Prepared prepared;
         private String hindrance = "";
+        private @Nullable Configuration hindered;
+
+        /** Whether no event leads to states in which it is possible. */
+        private boolean stuck;
+
         private Evolution.@Nullable Result result;
 
         Attempt(ConverterShell shell, Evolution evolution, boolean back) {
@@ -240,6 +265,7 @@ final class Evolver {
                 result = shell.evolve(ready.swap(), next, evolution.idle(), monitors);
             } catch (EvolutionException notNow) {
                 hindrance = String.valueOf(notNow.getMessage());
+                look(ready.swap(), shell.driver.configuration());
                 return;
             }
             Trial ending = trial();
@@ -257,11 +283,25 @@ final class Evolver {
             shell.books.listeners().evolved(result);
         }
 
+        /** Looks once in each pair of states: only another one can lead further. */
+        private void look(Swap swap, Configuration at) {
+            boolean hinders = swap.succession().fate(at) instanceof Fate.Stuck now
+                    && now.because().equals(hindrance);
+            if (hinders && !at.equals(hindered)) {
+                hindered = at;
+                stuck = plan(shell.driver.rules(), swap, at).at(at) instanceof Fate.Stuck;
+            }
+        }
+
         /** Opens the way back to {@code previous}, and begins the trial if there is to be one. */
         private void openWayBack(StateKnowledge previous) {
             Trial trial = evolution.probation().isAny()
                     ? new Trial(
-                            config, shell, evolution.probation(), why -> announce(shell, why), () -> rollBack(shell))
+                            config,
+                            shell,
+                            evolution.probation(),
+                            why -> announce(shell, why),
+                            () -> rollBack(shell, Evolution.USUAL_DEADLINE))
                     : null;
             wayBack =
                     new WayBack(evolution.next(), previous, evolution.mapping().reversed(), trial);

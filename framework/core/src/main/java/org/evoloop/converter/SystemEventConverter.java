@@ -2,6 +2,7 @@ package org.evoloop.converter;
 
 import static java.util.Objects.requireNonNull;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
@@ -187,11 +188,7 @@ public final class SystemEventConverter implements AutoCloseable {
         link = requireNonNull(deviceLink, "the link is null");
     }
 
-    /**
-     * Registers a spare component for {@link #exchange(String, String)}, under a name of its own.
-     *
-     * @throws IllegalStateException if the name is taken
-     */
+    /** Registers a spare for {@link #exchange(String, String)}. @throws IllegalStateException if the name is taken */
     public void addSpare(String name, Supplier<? extends Component> spare) {
         spares.add(name, spare);
     }
@@ -377,23 +374,28 @@ public final class SystemEventConverter implements AutoCloseable {
      * @return the result for the current states
      * @throws ModelException if the models are no evolution, do not fit the components, or cannot take over in the
      *     system's present states; or if there would be no way back, and the evolution requires one
-     * @throws EvolutionException if it was not possible in time; the message says what prevented it, and nothing has
-     *     changed
+     * @throws EvolutionException if it was not possible in time, or if it never will be, since no event leads to states in
+     *     which it is; the message says what prevented it, and nothing has changed
      * @throws IllegalStateException if the converter has ended, or {@code next} belongs to another converter
      */
     public Evolution.Result evolve(Evolution evolution) {
         return evolver.evolve(built(), requireNonNull(evolution, "the evolution is null"));
     }
 
+    /** As {@link #rollBack(Duration)}, within {@link Evolution#USUAL_DEADLINE}. */
+    public Evolution.Result rollBack() {
+        return rollBack(Evolution.USUAL_DEADLINE);
+    }
+
     /**
-     * Restores the models before the last {@link #evolve}, in the same way; after a restart, those with which it was
-     * built.
+     * Restores the models before the last {@link #evolve}, in the same way, within {@code deadline}; after a restart,
+     * those with which it was built.
      *
      * @throws IllegalStateException if there was no evolution, or it has no way back
      * @throws EvolutionException as in {@link #evolve}
      */
-    public Evolution.Result rollBack() {
-        return evolver.rollBack(built(), "as its owner asked for");
+    public Evolution.Result rollBack(Duration deadline) {
+        return evolver.rollBack(built(), deadline, "as its owner asked for");
     }
 
     /**
@@ -452,12 +454,14 @@ public final class SystemEventConverter implements AutoCloseable {
         return built().knowledge();
     }
 
-    /**
-     * The events that its execute components can send to the device. @throws IllegalStateException if it is not built
-     * yet
-     */
+    /** What its execute components can send to the device. @throws IllegalStateException if it is not built yet */
     public Set<Event> sendableEvents() {
         return built().senders.sendable();
+    }
+
+    /** What a controller may raise, sorted: no time trigger, nothing of the device, of timers or of functions alone. */
+    public Set<Event> controllerEvents() {
+        return ControllerEvents.of(knowledge(), sendableEvents());
     }
 
     /** A snapshot of the status. @throws IllegalStateException if the converter is not built yet */

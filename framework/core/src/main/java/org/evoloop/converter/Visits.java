@@ -1,6 +1,10 @@
 package org.evoloop.converter;
 
 import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.evoloop.core.Output;
@@ -50,6 +54,10 @@ final class Visits implements VisitHost {
 
     private NewFunction function = NewFunction.none();
     private Map<Event, Long> deadlines = Map.of();
+
+    /** The wall-clock times of the deadlines, so that each stays the same although the two clocks drift. */
+    private final Map<Event, Instant> dues = new HashMap<>();
+
     private int retries;
     private volatile @Nullable WorkEvent recorded;
 
@@ -108,13 +116,16 @@ final class Visits implements VisitHost {
     /** Sets the missing timers. Cancelled ones still fire; the core ignores them. */
     private void set(Map<Event, Long> before, Map<Event, Long> now, HostedVisit visit) {
         deadlines = now;
+        dues.keySet().retainAll(now.keySet());
         if (now.isEmpty()) {
             return;
         }
         long nanos = config.clock().nanoTime();
+        Instant wall = config.clock().wallTime();
         for (Map.Entry<Event, Long> timer : now.entrySet()) {
             if (!timer.getValue().equals(before.get(timer.getKey()))) {
                 Duration left = Duration.ofNanos(Math.max(0, timer.getValue() - nanos));
+                dues.put(timer.getKey(), wall.plus(left));
                 visit.onClock(left, () -> fire(visit, timer.getKey()));
             }
         }
@@ -185,6 +196,25 @@ final class Visits implements VisitHost {
         }
         return new ConverterStatus.RunningFunction(
                 running.state().name(), functions.threadName(), running.progress(), running.readings());
+    }
+
+    /**
+     * The timers that run, the next one first.
+     *
+     * @param running their deadlines
+     */
+    synchronized List<ConverterStatus.RunningTimer> runningTimers(Map<Event, Long> running) {
+        long nanos = config.clock().nanoTime();
+        List<ConverterStatus.RunningTimer> timers = new ArrayList<>();
+        running.forEach((event, deadline) -> {
+            Instant due = dues.get(event);
+            if (due != null) {
+                Duration remaining = Duration.ofNanos(Math.max(0, deadline - nanos));
+                timers.add(new ConverterStatus.RunningTimer(event.name(), remaining, due));
+            }
+        });
+        timers.sort(Comparator.comparing(ConverterStatus.RunningTimer::remaining));
+        return timers;
     }
 
     @Override

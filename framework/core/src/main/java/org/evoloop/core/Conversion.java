@@ -204,11 +204,11 @@ abstract sealed class Conversion extends Arrivals permits Core {
         long visit = ledger.stay.number();
         ledger.place.moveEvolved(decision.after(), ledger.out);
         ledger.followOwed |= isLateReaction(decision) && !ledger.rules.table().isFollowed(ledger.place.at());
+        progress.end();
         if (decision.leavesState()) {
             Transition transition = decision.transition();
             ledger.enter(transition, transition == null ? Set.of() : transition.keeps());
         }
-        progress.end();
         ledger.ended(occurrence, before, outcome(decision, failures), decision, failures);
         if (decision instanceof Decision.Impossible && decision.transition() != null) {
             // Its timers restart: what is impossible now may be possible next time.

@@ -6,6 +6,7 @@ import java.util.Set;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -175,6 +176,11 @@ public final class Core extends Conversion {
     /** The number of the current visit. */
     public long visit() {
         return ledger.stay.number();
+    }
+
+    /** When the timers of the current visit are due, without those that have fired; empty if it has ended. */
+    public Map<Event, Long> deadlines() {
+        return ledger.stay.isOver() ? Map.of() : ledger.stay.inOrder();
     }
 
     /** Whether the current visit has ended, with all that ran in it, and the next has not begun. */

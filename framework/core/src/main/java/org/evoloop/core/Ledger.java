@@ -106,8 +106,12 @@ final class Ledger {
 
     // Visits
 
+    /** No function runs while the device is sent to where the new model is: the state is entered after that. */
     void enter(@Nullable Transition by, Set<String> kept) {
-        stay.enter(place.at().evolved(), by, kept, rules, nowNanos, out);
+        stay.prepare(place.at().evolved(), by, kept, rules, nowNanos);
+        if (!isSettling()) {
+            stay.enter(place.at().evolved(), out);
+        }
     }
 
     /**
@@ -133,13 +137,19 @@ final class Ledger {
         progress.replace(pending -> pending.carriedOver(before, stay.number()));
     }
 
+    /** Whether the device has yet to be sent to where the new model is, after other models have taken over. */
+    boolean isSettling() {
+        return line.holdsTakeover()
+                || (!progress.isIdle() && progress.pending().occurrence() instanceof Occurrence.Evolved);
+    }
+
     /**
      * Enters the current state anew if its visit has ended without another state being entered; returns whether it has.
      *
      * @param after the occurrence that has ended; after a takeover the timers keep their remaining time
      */
     boolean enterAgain(Occurrence after) {
-        boolean again = stay.isOver() && open && !line.isRetryNext();
+        boolean again = stay.isOver() && open && !line.isRetryNext() && !isSettling();
         if (again && after instanceof Occurrence.Evolved) {
             enterAsLeft();
         } else if (again) {

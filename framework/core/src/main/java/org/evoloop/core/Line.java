@@ -178,6 +178,16 @@ final class Line {
         return false;
     }
 
+    /** Whether other models have taken over, and the device has yet to be sent to where the new model is. */
+    boolean holdsTakeover() {
+        for (Pending pending : waiting) {
+            if (pending.occurrence() instanceof Occurrence.Evolved) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** Whether a doubt waits to be settled. */
     boolean holdsDoubt() {
         Pending first = waiting.peek();

@@ -59,21 +59,25 @@ final class Stay {
     }
 
     /**
-     * Begins a new visit.
+     * Sets the timers for the next visit.
      *
      * @param kept names of time triggers that continue from the previous visit, since a state enclosing both is not
      *     left
      */
-    void enter(State state, @Nullable Transition leading, Set<String> kept, Rules rules, long atNanos, Outputs out) {
-        number++;
-        over = false;
+    void prepare(State state, @Nullable Transition leading, Set<String> kept, Rules rules, long atNanos) {
         by = leading;
         Map<Event, Duration> timers = rules.timers().of(state);
         if (!timers.isEmpty() || !deadlines.isEmpty()) {
             deadlines.keySet().removeIf(event -> !kept.contains(event.name()));
             begin(timers, kept, atNanos);
         }
-        out.enter(number, state, leading, inOrder());
+    }
+
+    /** Begins the visit that was prepared. */
+    void enter(State state, Outputs out) {
+        number++;
+        over = false;
+        out.enter(number, state, by, inOrder());
     }
 
     /**

@@ -181,6 +181,14 @@ public interface Visit {
         finishAt(time, ZoneId.systemDefault(), event);
     }
 
+    /**
+     * Reports that the function fails to do its work. Status, log and listeners show it as they show an exception of
+     * the function, which continues: it ends with {@link #finish}. Nothing happens if the state has been left.
+     *
+     * @param reason for people, such as {@code not found within 300 s}
+     */
+    void failed(String reason);
+
     /** Writes {@code text} into the transcript. */
     void say(String text);
 

@@ -9,6 +9,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.DecisionTable;
@@ -47,12 +48,51 @@ public record Migration(List<Line> lines) {
 
     /** The plan of a swap from the models of {@code running}, by {@code succession}. */
     public static Migration plan(DecisionTable running, Succession succession) {
+        return plan(running, succession, Set.of());
+    }
+
+    /**
+     * The same, also for the pairs of states that the running models reach from these: those in which they took over
+     * from others, which may be none that they reach from their initial pair.
+     */
+    public static Migration plan(DecisionTable running, Succession succession, Set<Configuration> tookOverIn) {
         Map<Configuration, Fate> fates = new LinkedHashMap<>();
-        running.configurations().forEach(at -> fates.put(at, succession.fate(at)));
+        reached(running, tookOverIn).forEach(at -> fates.put(at, succession.fate(at)));
         Map<Configuration, Integer> distances = distances(running, fates);
         List<Line> lines = new ArrayList<>();
         fates.forEach((at, fate) -> lines.add(new Line(at, wait(running, at, fate, distances))));
         return new Migration(lines);
+    }
+
+    private static Set<Configuration> reached(DecisionTable running, Set<Configuration> from) {
+        Set<Configuration> reached = new LinkedHashSet<>(running.configurations());
+        Deque<Configuration> next = new ArrayDeque<>();
+        from.stream().filter(reached::add).forEach(next::add);
+        while (!next.isEmpty()) {
+            turns(running, next.remove()).stream()
+                    .map(turn -> turn.decision().after())
+                    .filter(reached::add)
+                    .forEach(next::add);
+        }
+        return reached;
+    }
+
+    /** The fate of a pair of states in the plan. @throws IllegalArgumentException if the plan does not have it */
+    public Fate at(Configuration pair) {
+        return lines.stream()
+                .filter(line -> line.at().equals(pair))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("the plan has no pair of states " + pair))
+                .fate();
+    }
+
+    /** The pairs of states of the next models in which these can take over. */
+    public Set<Configuration> ends() {
+        return lines.stream()
+                .map(Line::fate)
+                .filter(Fate.Maps.class::isInstance)
+                .map(fate -> ((Fate.Maps) fate).to())
+                .collect(Collectors.toCollection(LinkedHashSet::new));
     }
 
     /**

@@ -2,7 +2,10 @@ package org.evoloop.time;
 
 import java.time.Duration;
 import java.util.HashMap;
+import java.util.Iterator;
+import java.util.LinkedHashSet;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.SynchronousQueue;
@@ -13,6 +16,10 @@ import java.util.concurrent.TimeUnit;
  * The threads of a server, one for each request in progress. Both their number and the time of each request are
  * limited, so that clients that send or read slowly, or not at all, cannot occupy more and more of them. A request whose
  * time is up is interrupted until it ends; if it waits for its channel, that closes the channel.
+ *
+ * <p>Clients that only begin requests do not lock others out: a request is incomplete until it calls {@link #limit} or
+ * {@link #unlimited}, and if no thread is free for another one, the oldest incomplete one is interrupted. A client that
+ * sends all of its request at once has been read long before its turn comes.
  *
  * <p>Threading: thread-safe. The threads are daemons; some seconds after the last request there are none.
  *
@@ -26,11 +33,18 @@ public final class RequestThreads implements Executor, AutoCloseable {
     /** How long a request waits for a thread that has given its answer but is not free yet. */
     private static final int HANDOVER_MILLIS = 20;
 
+    /** How long it waits at most for the thread of a request that has been given up, which ends at once. */
+    private static final Duration GIVEN_UP = Duration.ofSeconds(1);
+
     private final String name;
     private final Duration limit;
     private final Clock clock;
     private final ThreadPoolExecutor threads;
     private final Map<Thread, Long> deadlines = new HashMap<>();
+
+    /** The threads of incomplete requests, the oldest first. */
+    private final Set<Thread> incomplete = new LinkedHashSet<>();
+
     private boolean watched;
     private boolean closed;
 
@@ -61,16 +75,33 @@ public final class RequestThreads implements Executor, AutoCloseable {
                 (request, pool) -> handOver(request, pool, handover));
     }
 
-    private static void handOver(Runnable request, ThreadPoolExecutor threads, Duration limit) {
+    private void handOver(Runnable request, ThreadPoolExecutor pool, Duration handover) {
         boolean taken = false;
+        long nanos = giveUpOldest() ? GIVEN_UP.toNanos() : handover.toNanos();
         try {
-            taken = !threads.isShutdown() && threads.getQueue().offer(request, limit.toNanos(), TimeUnit.NANOSECONDS);
+            taken = !pool.isShutdown() && pool.getQueue().offer(request, nanos, TimeUnit.NANOSECONDS);
         } catch (InterruptedException end) {
             Thread.currentThread().interrupt();
         }
         if (!taken) {
             throw new RejectedExecutionException("no thread is free");
         }
+    }
+
+    private synchronized boolean giveUpOldest() {
+        Iterator<Thread> oldest = incomplete.iterator();
+        if (!oldest.hasNext()) {
+            return false;
+        }
+        Thread thread = oldest.next();
+        oldest.remove();
+        thread.interrupt();
+        return true;
+    }
+
+    private synchronized void begin() {
+        incomplete.add(Thread.currentThread());
+        limitFor(limit);
     }
 
     /**
@@ -81,7 +112,7 @@ public final class RequestThreads implements Executor, AutoCloseable {
     @Override
     public void execute(Runnable request) {
         threads.execute(() -> {
-            limit(limit);
+            begin();
             try {
                 request.run();
             } finally {
@@ -90,8 +121,21 @@ public final class RequestThreads implements Executor, AutoCloseable {
         });
     }
 
-    /** Called by a request: from now on it has this much time. */
+    /** Called by a request: it is complete, and from now on has this much time. */
     public synchronized void limit(Duration time) {
+        incomplete.remove(Thread.currentThread());
+        forgetInterrupt();
+        limitFor(time);
+    }
+
+    /** It may have been given up, or its time have been up, just after its last byte: too late to interrupt anything. */
+    private void forgetInterrupt() {
+        if (!closed) {
+            Thread.interrupted();
+        }
+    }
+
+    private void limitFor(Duration time) {
         deadlines.put(Thread.currentThread(), clock.nanoTime() + time.toNanos());
         if (!watched && !closed) {
             watched = true;
@@ -99,13 +143,14 @@ public final class RequestThreads implements Executor, AutoCloseable {
         }
     }
 
-    /** Called by a request: until it sets the next limit, it waits for something that its client does not control. */
+    /**
+     * Called by a request: it is complete, and until it sets the next limit, it waits for something that its client does
+     * not control.
+     */
     public synchronized void unlimited() {
+        incomplete.remove(Thread.currentThread());
         deadlines.remove(Thread.currentThread());
-        if (!closed) {
-            // The time may have been up just after the last byte, when there was nothing left to interrupt.
-            Thread.interrupted();
-        }
+        forgetInterrupt();
     }
 
     private synchronized void watch() {

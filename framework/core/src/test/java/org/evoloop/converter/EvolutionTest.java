@@ -129,6 +129,22 @@ class EvolutionTest {
         assertThat(player.last().occurrence().label()).isEqualTo("evolved to next");
     }
 
+    @Test
+    void noFunctionRunsBeforeTheDeviceHasArrivedThereEvenAfterAStart() {
+        playAndFade();
+        player.converter.evolve(Evolution.to(Player.knowledge(
+                        List.of("Fading"), fading(fadings), "Paused fade -> Fading", "Fading stop -> Stopped"))
+                .withoutWayBack());
+        player.converter.stop();
+        player.converter.start();
+        List<Integer> running = new ArrayList<>();
+        player.before = () -> running.add(fadings.size());
+        player.settle();
+        assertThat(running).as("functions while pause was sent").containsExactly(0);
+        assertThat(player.states()).hasToString("(Paused, Fading)");
+        assertThat(fadings).hasSize(1);
+    }
+
     /** That is nothing that the models have done wrong, so it does not end their probation. */
     @Test
     void theNewModelFollowsWhatSomeoneHasDoneToTheDevice() {

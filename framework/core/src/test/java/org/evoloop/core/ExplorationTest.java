@@ -195,6 +195,7 @@ class ExplorationTest {
                         scene.with(2, Act.PRESS).with(1, Act.EVOLVE, Act.RAISE, Act.STOP),
                         scene.with(1, Act.EVOLVE, Act.PRESS, Act.OWN, Act.GIVE_UP),
                         scene.with(1, Act.EVOLVE, Act.PRESS, Act.OWN, Act.JUMP),
+                        scene.with(2, Act.PRESS).with(1, Act.EVOLVE, Act.STOP, Act.END, Act.OWN),
                         scene.with(1, Act.PRESS, Act.ASK, Act.EVOLVE, Act.FAIL, Act.END)))
                 .flatMap(ExplorationTest::bestAndWorst);
     }

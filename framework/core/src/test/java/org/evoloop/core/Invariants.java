@@ -44,7 +44,8 @@ final class Invariants {
                         invariants.pressesHaveAnAge(),
                         invariants.controllersHaveTheirPlaces(),
                         invariants.theSystemFollowsTheDevice(),
-                        invariants.functionsRun())
+                        invariants.functionsRun(),
+                        invariants.noFunctionRunsWhileOtherModelsSettle())
                 .stream()
                 .filter(problem -> !problem.isEmpty())
                 .findFirst()
@@ -321,6 +322,14 @@ final class Invariants {
                         && world.functionOf != after.visit().number()
                 ? "function: that of " + after.at().evolved() + " does not run in " + after.visit()
                 : "";
+    }
+
+    /** No function runs while the device may be sent to where the new model is; a closed converter sends nothing. */
+    private String noFunctionRunsWhileOtherModelsSettle() {
+        Work work = after.work();
+        boolean settling = (work != null && work.pending().occurrence() instanceof Occurrence.Evolved)
+                || after.waiting().stream().anyMatch(pending -> pending.occurrence() instanceof Occurrence.Evolved);
+        return settling && after.open() && !after.visit().over() ? "settling: meanwhile there is " + after.visit() : "";
     }
 
     /** If the device has obeyed, the transition is taken, whatever happens to the rest of the plan. */

@@ -144,6 +144,18 @@ enum Mutation {
                     : after;
         }
     },
+    A_STATE_IS_ENTERED_WHILE_OTHER_MODELS_SETTLE(
+            "settling", Scene.busyRobot().with(2, Act.PRESS).with(1, Act.EVOLVE, Act.STOP)) {
+        @Override
+        Snapshot ahead(Snapshot before, Input input) {
+            return input instanceof Input.Opened ? Snapshots.waiting(before, List.of()) : before;
+        }
+
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.Opened ? Snapshots.waiting(after, before.waiting()) : after;
+        }
+    },
     THE_QUEUE_DOES_NOT_WAIT("order", Scene.bulb().with(2, Act.PRESS)) {
         @Override
         Snapshot ahead(Snapshot before, Input input) {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -51,8 +52,8 @@ class RequestThreadsTest {
     @Test
     void noMoreThanTheMostAreServedAtATime() throws Exception {
         CountDownLatch answer = new CountDownLatch(1);
-        begin("this", () -> {}, answer);
-        begin("this", () -> {}, answer);
+        begin("this", () -> threads.limit(LIMIT), answer);
+        begin("this", threads::unlimited, answer);
         assertThatThrownBy(() -> threads.execute(() -> ended.add("one too many")))
                 .isInstanceOf(RejectedExecutionException.class);
         answer.countDown();
@@ -67,6 +68,44 @@ class RequestThreadsTest {
                     return true;
                 });
         assertThat(next()).isEqualTo("the next one");
+    }
+
+    /** Whoever only begins requests holds up nobody; who has been heard to the end is answered. */
+    @Test
+    void theOldestIncompleteRequestMakesRoom() throws Exception {
+        CountDownLatch answer = new CountDownLatch(1);
+        begin("the complete one", () -> threads.limit(LIMIT), answer);
+        for (int half = 1; half <= 40; half++) {
+            begin("half " + half, () -> {}, new CountDownLatch(1));
+        }
+        begin("the next one", threads::unlimited, answer);
+        for (int half = 1; half <= 40; half++) {
+            assertThat(next()).isEqualTo("half " + half + " was interrupted");
+        }
+        answer.countDown();
+        assertThat(List.of(next(), next()))
+                .containsExactlyInAnyOrder("the complete one was answered", "the next one was answered");
+    }
+
+    /** A request that is completed in the moment when it is given up is answered. */
+    @Test
+    void aRequestThatIsGivenUpWhenItIsCompleteIsAnswered() throws Exception {
+        begin("the first", threads::unlimited, new CountDownLatch(1));
+        threads.execute(() -> {
+            ended.add("read");
+            while (!Thread.currentThread().isInterrupted()) {
+                Thread.onSpinWait();
+            }
+            threads.limit(LIMIT);
+            ended.add("interrupted: " + Thread.currentThread().isInterrupted());
+        });
+        assertThat(next()).isEqualTo("read");
+        try {
+            threads.execute(() -> {});
+        } catch (RejectedExecutionException full) {
+            // The thread may take longer than usual until it is free.
+        }
+        assertThat(next()).isEqualTo("interrupted: false");
     }
 
     /** A client may ask again as soon as it has its answer, when the thread that gave it has not quite finished. */

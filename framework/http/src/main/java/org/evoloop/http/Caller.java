@@ -53,6 +53,17 @@ final class Caller {
         }
     }
 
+    /**
+     * Connects to the device, without asking it for anything.
+     *
+     * @throws IOException if it cannot be reached
+     */
+    void reach(HttpCall call) throws IOException, InterruptedException {
+        try (SocketChannel channel = SocketChannel.open()) {
+            connected(channel, call, new Limit(limit)).close();
+        }
+    }
+
     private <T> T once(HttpCall call, Use<T> use) throws IOException, InterruptedException {
         Limit left = new Limit(limit);
         try (SocketChannel channel = SocketChannel.open();

@@ -89,10 +89,14 @@ public record HttpCall(String method, URI address, Map<String, String> headers, 
         return (text + "Connection: close\r\n\r\n" + body).getBytes(StandardCharsets.UTF_8);
     }
 
+    /** Where it goes: {@code http://lamp.local}. */
+    String device() {
+        return address.getScheme() + "://" + address.getHost() + (address.getPort() > 0 ? ":" + address.getPort() : "");
+    }
+
     /** For messages: {@code POST http://lamp.local/toggle}, without parts that may be secret. */
     @Override
     public String toString() {
-        return method + " " + address.getScheme() + "://" + address.getHost()
-                + (address.getPort() > 0 ? ":" + address.getPort() : "") + address.getPath();
+        return method + " " + device() + address.getPath();
     }
 }

@@ -6,9 +6,14 @@ import java.time.Instant;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.evoloop.converter.DeviceLink;
 import org.evoloop.converter.EventExecute;
+import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
 import org.jspecify.annotations.Nullable;
 
@@ -25,7 +30,11 @@ import org.jspecify.annotations.Nullable;
  * unless it {@linkplain HttpCall#canBeRepeated() can be}. If the device's state can be asked for, it is asked instead.
  * Redirects are not followed.
  *
- * <p>Threading: as {@link EventExecute}. As a {@link DeviceLink} it reports how the last request went.
+ * <p>While the converter runs, it is checked every 10 s that the device is there: by the question for its state, or
+ * else by connecting to it, without a request. As a {@link DeviceLink} this component reports how the newest request or
+ * check went.
+ *
+ * <p>Threading: as {@link EventExecute}; the checks have a thread of their own.
  *
  * @since 0.1
  */
@@ -34,8 +43,9 @@ public class HttpExecute extends EventExecute implements DeviceLink {
     private final Caller caller;
     private @Nullable HttpCall question;
     private Function<String, String> states = answer -> answer;
-    private volatile String trouble = "";
-    private volatile @Nullable Instant downSince;
+    private final Health health;
+    private Duration period = Duration.ofSeconds(10);
+    private @Nullable Thread watch;
 
     /**
      * A component that sends these events.
@@ -48,6 +58,20 @@ public class HttpExecute extends EventExecute implements DeviceLink {
         super(name);
         this.calls = Map.copyOf(calls);
         this.caller = new Caller(limit);
+        this.health = new Health(devices().map(HttpCall::device).collect(Collectors.joining(" and ")));
+    }
+
+    /** A call to each of the devices, usually one. */
+    private Stream<HttpCall> devices() {
+        Map<String, HttpCall> devices = new TreeMap<>();
+        calls.values().forEach(call -> devices.put(call.device(), call));
+        return devices.values().stream();
+    }
+
+    /** Sets how often it is checked that the device is there; 10 s by default. */
+    public final HttpExecute watch(Duration every) {
+        period = every;
+        return this;
     }
 
     /**
@@ -75,7 +99,7 @@ public class HttpExecute extends EventExecute implements DeviceLink {
             throw new IllegalArgumentException(name() + " has no request for " + step.event());
         }
         try {
-            ask(call, answer -> "");
+            health.noting(() -> caller.call(call, answer -> ""));
         } catch (UnansweredException unanswered) {
             if (!locate().equals(Optional.of(step.target().name()))) {
                 throw unanswered;
@@ -86,36 +110,73 @@ public class HttpExecute extends EventExecute implements DeviceLink {
     @Override
     protected Optional<String> locate() throws IOException, InterruptedException {
         HttpCall asked = question;
-        return asked == null ? Optional.empty() : Optional.of(states.apply(ask(asked, Reply::body)));
+        return asked == null ? Optional.empty() : Optional.of(states.apply(ask(asked)));
     }
 
-    private String ask(HttpCall call, Caller.Use<String> use) throws IOException, InterruptedException {
-        try {
-            String answer = caller.call(call, use);
-            trouble = "";
-            downSince = null;
-            return answer;
-        } catch (IOException failure) {
-            trouble = String.valueOf(failure.getMessage());
-            if (downSince == null) {
-                downSince = Instant.now();
-            }
-            throw failure;
+    private String ask(HttpCall asked) throws IOException, InterruptedException {
+        return health.noting(() -> caller.call(asked, Reply::body));
+    }
+
+    @Override
+    protected synchronized void settled(Configuration now) {
+        if (watch == null) {
+            watch = new Thread(this::look, "http-" + name());
+            watch.setDaemon(true);
+            watch.start();
         }
     }
 
     @Override
+    protected synchronized void released() {
+        if (watch != null) {
+            watch.interrupt();
+            watch = null;
+        }
+    }
+
+    private void look() {
+        try {
+            while (!Thread.currentThread().isInterrupted()) {
+                check();
+                TimeUnit.NANOSECONDS.sleep(period.toNanos());
+            }
+        } catch (InterruptedException end) {
+            // The converter has stopped.
+        }
+    }
+
+    private void check() throws InterruptedException {
+        HttpCall asked = question;
+        try {
+            if (asked == null) {
+                health.noting(this::reach);
+            } else {
+                ask(asked);
+            }
+        } catch (IOException gone) {
+            // The status says so.
+        }
+    }
+
+    private boolean reach() throws IOException, InterruptedException {
+        for (HttpCall call : devices().toList()) {
+            caller.reach(call);
+        }
+        return true;
+    }
+
+    @Override
     public boolean isUp() {
-        return trouble.isEmpty();
+        return health.isUp();
     }
 
     @Override
     public Optional<Instant> downSince() {
-        return Optional.ofNullable(downSince);
+        return health.downSince();
     }
 
     @Override
     public String describe() {
-        return trouble.isEmpty() ? "requests are answered" : trouble;
+        return health.describe();
     }
 }

@@ -22,15 +22,17 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Listens for requests.
+ * Listens for requests. At most {@value #MOST_REQUESTS} are handled at once; the connection of a request that is
+ * incomplete after {@value #REQUEST_SECONDS} s, or earlier if its thread is needed, is closed.
  *
  * <p>Threading: thread-safe. Each request occupies a thread while it is handled.
  */
 final class RequestServer implements AutoCloseable {
-    static final int MOST_REQUESTS = 8;
+    static final int MOST_REQUESTS = 32;
 
     private static final Logger LOG = LoggerFactory.getLogger(HttpMonitor.class);
     private static final int REQUEST_SECONDS = 10;
+    private static final Duration LIMIT = Duration.ofSeconds(REQUEST_SECONDS);
     private static final int NO_CONTENT = 204;
     private static final int BAD_REQUEST = 400;
     private static final int NO_TOKEN = 401;
@@ -43,8 +45,7 @@ final class RequestServer implements AutoCloseable {
     private final HttpServer server;
     private final RequestFaults faults = new RequestFaults();
     private final Clock clock = new SystemClock();
-    private final RequestThreads threads =
-            new RequestThreads("evoloop-http", MOST_REQUESTS, Duration.ofSeconds(REQUEST_SECONDS), clock);
+    private final RequestThreads threads = new RequestThreads("evoloop-http", MOST_REQUESTS, LIMIT, clock);
 
     private RequestServer(Door door, HttpServer server, Map<String, Consumer<Values>> requests) {
         this.door = door;
@@ -61,7 +62,7 @@ final class RequestServer implements AutoCloseable {
         // How long a request may take is not among them: the server would need a thread for that, all the time.
         settings.putIfAbsent("sun.net.httpserver.idleInterval", Integer.toString(REQUEST_SECONDS));
         settings.putIfAbsent("sun.net.httpserver.clockTick", "1000");
-        settings.putIfAbsent("jdk.httpserver.maxConnections", "64");
+        settings.putIfAbsent("jdk.httpserver.maxConnections", "512");
         try {
             InetSocketAddress address = new InetSocketAddress(InetAddress.getByName(door.host()), port);
             RequestServer opened = new RequestServer(door, HttpServer.create(address, 0), requests);
@@ -120,7 +121,9 @@ final class RequestServer implements AutoCloseable {
         } else if (handler == null) {
             answer(exchange, NOT_FOUND, "known are: " + String.join(", ", new TreeSet<>(requests.keySet())));
         } else {
-            handler.accept(RequestValues.of(exchange));
+            Values values = RequestValues.of(exchange);
+            threads.limit(LIMIT);
+            handler.accept(values);
             exchange.sendResponseHeaders(NO_CONTENT, -1);
         }
     }

@@ -113,7 +113,8 @@ class HttpExecuteTest {
             lamp.awaitState("on");
             assertThat(heard).containsExactly("GET /toggle?now=1");
             assertThat(execute.isUp()).isTrue();
-            assertThat(execute.describe()).isEqualTo("requests are answered");
+            assertThat(execute.describe())
+                    .matches(address("") + " reached at \\d{4}-\\d\\d-\\d\\d \\d\\d:\\d\\d:\\d\\d");
         }
     }
 
@@ -182,8 +183,60 @@ class HttpExecuteTest {
         try (Lamp lamp = new Lamp(wall, execute)) {
             wall.press("switch");
             lamp.awaitState("on");
-            assertThat(heard).containsExactly("GET /toggle", "GET /state");
+            assertThat(heard).containsOnlyOnce("GET /toggle").containsSubsequence("GET /toggle", "GET /state");
         }
+    }
+
+    @Test
+    void aDeviceThatWasNeverThereIsNotSaidToAnswer() throws Exception {
+        device.close();
+        HttpExecute execute = lamp(HttpCall.get(address("/toggle")), Lamp.PATIENCE);
+        assertThat(execute.isUp()).isFalse();
+        assertThat(execute.describe()).isEqualTo(address("") + " has not been reached yet");
+        try (Lamp lamp = new Lamp(wall, execute)) {
+            await().atMost(Lamp.PATIENCE).until(() -> execute.describe().contains("the device cannot be reached"));
+            assertThat(execute.isUp()).isFalse();
+            lamp.awaitState("off");
+        }
+    }
+
+    @Test
+    void aDeviceThatGoesAndComesBackIsNoticedWithoutAnEvent() throws Exception {
+        HttpExecute execute =
+                lamp(HttpCall.get(address("/toggle")), Lamp.PATIENCE).watch(Duration.ofMillis(20));
+        try (Lamp lamp = new Lamp(wall, execute)) {
+            await().atMost(Lamp.PATIENCE).until(execute::isUp);
+            int port = device.getLocalPort();
+            device.close();
+            await().atMost(Lamp.PATIENCE).until(() -> !execute.isUp());
+            assertThat(execute.downSince()).isPresent();
+            assertThat(execute.describe()).contains("the device cannot be reached");
+            device = new ServerSocket(port, 50, InetAddress.getLoopbackAddress());
+            await().atMost(Lamp.PATIENCE).until(execute::isUp);
+            assertThat(execute.downSince()).isEmpty();
+            lamp.awaitState("off");
+            assertThat(heard)
+                    .as("nothing is asked of a device without a question")
+                    .isEmpty();
+        }
+    }
+
+    @Test
+    void aDeviceThatTakesConnectionsButDoesNotAnswerIsNoticedByTheQuestion() throws Exception {
+        toggled = HANG;
+        HttpExecute execute = lamp(HttpCall.get(address("/toggle")), Duration.ofMillis(200))
+                .asking(HttpCall.get(address("/hung")), answer -> "off")
+                .watch(Duration.ofMillis(20));
+        try (Lamp lamp = new Lamp(wall, execute)) {
+            await().atMost(Lamp.PATIENCE).until(() -> execute.describe().contains("was not answered within 200 ms"));
+            assertThat(execute.isUp()).isFalse();
+            lamp.awaitState("off");
+        }
+        await("the checks end with the converter")
+                .atMost(Lamp.PATIENCE)
+                .untilAsserted(() -> assertThat(Thread.getAllStackTraces().keySet())
+                        .extracting(Thread::getName)
+                        .doesNotContain("http-Lamp"));
     }
 
     private String body(String answer) throws IOException, InterruptedException {

@@ -11,6 +11,11 @@ final class Boot {
 
     private Boot() {}
 
+    /** Whether the computer has been started since the boot with this identity; false if that is unknown. */
+    static boolean hasEnded(String boot) {
+        return !boot.isEmpty() && !boot.equals(ID);
+    }
+
     private static String read() {
         try {
             return Files.readString(Path.of("/proc/sys/kernel/random/boot_id")).strip();

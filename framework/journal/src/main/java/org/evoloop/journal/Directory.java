@@ -16,16 +16,15 @@ import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
+import java.util.UUID;
 import java.util.stream.Stream;
+import org.evoloop.journal.Place.Link;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** The segments of a journal, and the lock that reserves them for one process. */
 final class Directory implements AutoCloseable {
-    static final String DAMAGED =
-            "The journal is damaged; restore a copy of its directory, or move that away to start without it";
-
     private static final Logger LOG = LoggerFactory.getLogger(Journal.class);
     private static final String SUFFIX = ".journal";
 
@@ -33,6 +32,8 @@ final class Directory implements AutoCloseable {
     private final FileChannel lock;
     private final ArrayDeque<Piece> pieces = new ArrayDeque<>();
     private long total;
+    private UUID journal = new UUID(0, 0);
+    private Link end = Link.NONE;
 
     /** A segment, and its size on the disk. */
     private record Piece(Path file, long bytes) {}
@@ -77,7 +78,7 @@ final class Directory implements AutoCloseable {
         return path;
     }
 
-    /** The segments, oldest first. @throws JournalException if one is missing in between */
+    /** The files with the names of segments, oldest first. */
     static List<Path> segments(Path path) {
         List<Path> segments = new ArrayList<>();
         try (Stream<Path> files = Files.list(path)) {
@@ -86,12 +87,6 @@ final class Directory implements AutoCloseable {
                     .forEach(segments::add);
         } catch (IOException e) {
             throw new JournalException("the journal " + path + " cannot be read: " + e, e);
-        }
-        for (int index = 1; index < segments.size(); index++) {
-            if (number(segments.get(index)) != number(segments.get(index - 1)) + 1) {
-                throw JournalException.ofDamage("the journal " + path + " lacks the segment before "
-                        + segments.get(index).getFileName() + "; it is needed to go on");
-            }
         }
         return segments;
     }
@@ -104,24 +99,24 @@ final class Directory implements AutoCloseable {
     }
 
     /**
-     * The last segments, oldest first, as many as hold {@code bytes}, and at least two. One whose creation was not
-     * completed does not count, and is deleted.
+     * The last segments, oldest first, as many as hold {@code bytes}, and at least two. What a retention or a power cut
+     * has left over is deleted.
+     *
+     * @throws JournalException if the journal is not as it was written
      */
     List<Path> last(int bytes) {
-        for (Path file : segments(path)) {
-            add(file, file.toFile().length());
-        }
-        Piece newest = pieces.pollLast();
-        if (newest != null) {
-            total -= newest.bytes();
-            long written = SegmentReader.writtenBytes(newest.file());
-            if (written > 0) {
-                // A killed process leaves the unused room allocated.
-                add(newest.file(), written);
-            } else {
-                LOG.info("{} was being created when its process ended, and is left out", newest.file());
-                delete(newest.file());
-            }
+        Chain chain = Chain.of(path);
+        chain.leftOver().forEach(file -> {
+            LOG.info("{} is left over from an earlier process, and is deleted", file);
+            delete(file);
+        });
+        UUID present = chain.journal();
+        journal = present == null ? UUID.randomUUID() : present;
+        end = chain.end();
+        for (Path file : chain.files()) {
+            // A killed process leaves the unused room of the newest one, which is released when that is replayed.
+            boolean newest = file.equals(chain.files().get(chain.files().size() - 1));
+            add(file, newest ? chain.end().end() : file.toFile().length());
         }
         ArrayDeque<Path> last = new ArrayDeque<>();
         long sum = 0;
@@ -133,23 +128,60 @@ final class Directory implements AutoCloseable {
         return List.copyOf(last);
     }
 
-    void add(Path file, long bytes) {
+    private void add(Path file, long bytes) {
         pieces.add(new Piece(file, bytes));
         total += bytes;
+    }
+
+    /** The newest segment; null if there is none. */
+    @Nullable
+    Path newest() {
+        Piece newest = pieces.peekLast();
+        return newest == null ? null : newest.file();
+    }
+
+    /** Where the newest segment ends. */
+    Link end() {
+        return end;
+    }
+
+    /** Nothing more is appended to the newest segment. */
+    void ends(Link at) {
+        end = at;
+    }
+
+    /** The next segment has begun there; the outgrown ones are no longer part of the journal. */
+    void begun(Path next, int bytes, List<Path> outgrown) {
+        for (int left = outgrown.size(); left > 0; left--) {
+            total -= pieces.remove().bytes();
+        }
+        add(next, bytes);
+    }
+
+    /** The place of the next segment, of {@code bytes}. */
+    Place place(int bytes, List<Path> outgrown) {
+        Iterator<Piece> kept = pieces.stream().skip(outgrown.size()).iterator();
+        long number = number(next());
+        return new Place(journal, number, kept.hasNext() ? number(kept.next().file()) : number, end, bytes);
     }
 
     /** The file of the segment after the last one. */
     Path next() {
         Piece newest = pieces.peekLast();
         long number = newest == null ? 1 : number(newest.file()) + 1;
-        return path.resolve(String.format(Locale.ROOT, "%010d", number) + SUFFIX);
+        return path.resolve(name(number));
     }
 
-    /** The file of a segment that is being prepared; deletes one that an earlier process has left. */
-    Path prepared() throws IOException {
-        Path file = path.resolve("prepared");
+    /** The file of a segment before it begins; deletes one that an earlier process has left. */
+    Path fresh(String name) throws IOException {
+        Path file = path.resolve(name);
         Files.deleteIfExists(file);
         return file;
+    }
+
+    /** The name of the segment's file. */
+    static String name(long number) {
+        return String.format(Locale.ROOT, "%010d", number) + SUFFIX;
     }
 
     private static long number(Path segment) {
@@ -157,15 +189,18 @@ final class Directory implements AutoCloseable {
     }
 
     /**
-     * Removes the oldest segments from the list until the others take at most {@code bytes}; two always stay. Returns
-     * the removed ones, to be deleted.
+     * The oldest segments, without which the others and {@code coming} more bytes take at most {@code most}; with the
+     * next one two always stay.
      */
-    List<Path> outgrown(long bytes) {
+    List<Path> outgrown(int coming, long most) {
         List<Path> files = new ArrayList<>();
-        while (total > bytes && pieces.size() > 2) {
-            Piece oldest = pieces.remove();
-            total -= oldest.bytes();
-            files.add(oldest.file());
+        long left = total + coming;
+        for (Piece piece : pieces) {
+            if (left <= most || pieces.size() - files.size() < 2) {
+                break;
+            }
+            left -= piece.bytes();
+            files.add(piece.file());
         }
         return files;
     }

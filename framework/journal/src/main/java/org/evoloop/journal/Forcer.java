@@ -87,7 +87,10 @@ final class Forcer implements AutoCloseable {
             if (current == null || !current.isDirty()) {
                 return false;
             }
-            current.force();
+            current.look();
+            if (!current.isLost()) {
+                current.force();
+            }
         } catch (RuntimeException | InternalError e) {
             LOG.warn("a journal cannot be put on the disk; a power cut would lose what was written", e);
         }

@@ -83,6 +83,12 @@ final class Frame {
         return (int) header;
     }
 
+    /** The sum of several headers, in their order: another header anywhere gives another sum. */
+    static long sum(long before, long header) {
+        long mixed = (before ^ header) * 0x9E3779B97F4A7C15L;
+        return mixed ^ (mixed >>> 29);
+    }
+
     /** The CRC32C of some bytes of an array. */
     static int crcOf(byte[] bytes, int from, int length) {
         CRC32C crc = new CRC32C();

@@ -182,7 +182,8 @@ record Head(
             timers.put(new State(cursor.text()), timersOfState(cursor));
         }
         int capacity = (int) cursor.number();
-        Duration pressAge = Duration.ofNanos(cursor.number());
+        // A segment of the time before presses had an age does not have it.
+        Duration pressAge = cursor.isAtEnd() ? Rules.ANY_AGE : Duration.ofNanos(cursor.number());
         cursor.requireEnd();
         return new Head(fingerprint, built, models, boot, wallNanos, nowNanos, device, timers, capacity, pressAge);
     }

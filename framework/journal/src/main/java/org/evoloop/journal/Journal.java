@@ -114,20 +114,18 @@ public final class Journal implements ConverterJournal {
         return forcing;
     }
 
-    /** @throws JournalException if its newest segment is damaged, or cannot be read */
+    /** @throws JournalException if it is damaged, or cannot be read */
     @Override
     public @Nullable ModelPair evolvedFrom(ModelPair models) {
         String fingerprint = Fingerprint.of(models);
-        List<Path> all = Files.isDirectory(path) ? Directory.segments(path) : List.of();
-        for (int index = all.size() - 1; index >= 0; index--) {
-            if (SegmentReader.writtenBytes(all.get(index)) > 0) {
-                Head newest = new SegmentReader(all.get(index)).head();
-                if (newest.built().equals(fingerprint) && !newest.fingerprint().equals(fingerprint)) {
-                    built = fingerprint;
-                    return newest.models();
-                }
-                return null;
-            }
+        List<Path> all = Files.isDirectory(path) ? Chain.whileInUse(path).files() : List.of();
+        if (all.isEmpty()) {
+            return null;
+        }
+        Head newest = new SegmentReader(all.get(all.size() - 1)).head();
+        if (newest.built().equals(fingerprint) && !newest.fingerprint().equals(fingerprint)) {
+            built = fingerprint;
+            return newest.models();
         }
         return null;
     }
@@ -169,17 +167,7 @@ public final class Journal implements ConverterJournal {
     @Override
     public void replay(Rules rules, Past past) {
         Replay replay = new Replay(rules, Fingerprint.of(rules.table().models()), past);
-        for (Path segment : Directory.segments(path)) {
-            try {
-                if (SegmentReader.writtenBytes(segment) > 0) {
-                    replay.apply(segment);
-                }
-            } catch (JournalException unreadable) {
-                if (!Directory.isGone(segment)) {
-                    throw unreadable;
-                }
-            }
-        }
+        JournalFiles.each(path, SegmentReader::new, replay::apply);
     }
 
     /** @throws JournalException if it cannot be written */

@@ -1,5 +1,7 @@
 package org.evoloop.journal;
 
+import java.nio.file.Path;
+
 /**
  * A journal cannot be read, written or continued. The message names the file, the place in it and what to do; it needs
  * no stack trace.
@@ -25,9 +27,14 @@ public final class JournalException extends RuntimeException {
         this.damage = damage;
     }
 
-    /** An exception for damaged data; {@code what} names the file and the place in it. */
-    static JournalException ofDamage(String what) {
-        return new JournalException(what + ". " + Directory.DAMAGED, true);
+    /** An exception for a damaged segment; {@code what} follows the name of the file, and may begin with a place. */
+    static JournalException ofDamage(Path file, String what) {
+        return damaged(file + (what.startsWith(",") ? "" : ": ") + what, Remedy.ofDamage(file));
+    }
+
+    /** An exception for a journal that is not as it was written. */
+    static JournalException damaged(String what, String remedy) {
+        return new JournalException(what + ". The journal is damaged; " + remedy, true);
     }
 
     /**

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Read access to a journal in its directory. Nothing is written and no lock is taken: the journal may be in use, and is
@@ -18,9 +19,6 @@ import java.util.function.Function;
  * @since 0.1
  */
 public final class JournalFiles {
-    /** A read may see a half-written file; reading it again sees the rest. */
-    private static final int LOOKS = 3;
-
     private final Path directory;
 
     /**
@@ -85,36 +83,25 @@ public final class JournalFiles {
      * Reads every segment that is still there, oldest first; each is passed on only after it has been read completely.
      */
     <T> void each(Function<Path, T> reading, Consumer<T> reader) {
-        List<Path> files = Directory.segments(directory);
-        for (Path file : files) {
-            boolean newest = file.equals(files.get(files.size() - 1));
-            T segment;
-            try {
-                if (newest && SegmentReader.writtenBytes(file) == 0) {
-                    continue;
-                }
-                segment = whole(file, newest, reading);
-            } catch (JournalException unreadable) {
-                if (Directory.isGone(file)) {
-                    continue;
-                }
-                throw unreadable;
+        each(directory, reading, reader);
+    }
+
+    static <T> void each(Path directory, Function<Path, T> reading, Consumer<T> reader) {
+        for (Path file : Chain.whileInUse(directory).files()) {
+            T segment = stillThere(directory, file, reading);
+            if (segment != null) {
+                reader.accept(segment);
             }
-            reader.accept(segment);
         }
     }
 
-    private static <T> T whole(Path file, boolean mayGrow, Function<Path, T> reading) {
-        int looks = mayGrow ? LOOKS : 1;
-        while (true) {
-            try {
-                return reading.apply(file);
-            } catch (JournalException wrong) {
-                looks--;
-                if (looks == 0 || !wrong.isDamage()) {
-                    throw wrong;
-                }
-            }
+    /** Null if it has been deleted with the oldest ones since it was listed. */
+    private static <T> @Nullable T stillThere(Path directory, Path file, Function<Path, T> reading) {
+        try {
+            return reading.apply(file);
+        } catch (JournalException unreadable) {
+            // It may also have been closed while it was read, or not be as it was written; that is thrown here.
+            return Chain.whileInUse(directory).files().contains(file) ? reading.apply(file) : null;
         }
     }
 

@@ -1,6 +1,7 @@
 package org.evoloop.journal;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.function.Consumer;
 import org.evoloop.core.Core;
 import org.evoloop.core.Inputs;
@@ -41,7 +42,15 @@ final class Recorder implements Inputs {
         try {
             kept = segments.append(encoder.bytes);
             if (!kept && segments.mayBegin()) {
+                Path lost = segments.lost();
                 segments.begin(core, encoder.bytes);
+                if (lost != null) {
+                    failed.accept(JournalException.damaged(
+                            lost
+                                    + " was removed, replaced or cut while it was written. The converter has begun the next"
+                                    + " segment with its complete state",
+                            Remedy.ofDamage(lost)));
+                }
                 return false;
             }
         } catch (IOException | InternalError e) {

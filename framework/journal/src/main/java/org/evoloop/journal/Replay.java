@@ -12,6 +12,8 @@ import org.evoloop.core.Rules;
 import org.evoloop.core.Snapshot;
 import org.evoloop.core.text.SnapshotException;
 import org.evoloop.core.text.SnapshotText;
+import org.evoloop.journal.Place.Link;
+import org.evoloop.journal.Preamble.Ending;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -41,8 +43,8 @@ final class Replay {
     }
 
     /** Only replays; repairs nothing, and is not continued from. */
-    void apply(Path file) {
-        apply(file, new SegmentReader(file));
+    void apply(SegmentReader segment) {
+        apply(segment.file(), segment);
     }
 
     private void of(Path file, boolean newest) {
@@ -61,8 +63,8 @@ final class Replay {
                     segment.number() + 1,
                     segment.end());
         }
-        if (segment.size() > segment.end()) {
-            cut(file, segment.end());
+        if (newest && segment.preamble().ending() == Ending.OPEN) {
+            close(file, segment.link());
         }
         last = core.snapshot();
         lastHead = segment.head();
@@ -86,10 +88,11 @@ final class Replay {
         return core;
     }
 
-    /** Cuts off a record that was not written completely. */
-    private static void cut(Path file, int end) {
+    /** Does what its process could not, and cuts off a record that was not written completely. */
+    private static void close(Path file, Link end) {
         try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE)) {
-            channel.truncate(end);
+            Preamble.end(channel, Ending.CLOSED, end);
+            channel.truncate(end.end());
         } catch (IOException e) {
             throw Directory.cannotBeWritten(file, e);
         }

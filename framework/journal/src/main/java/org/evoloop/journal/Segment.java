@@ -5,9 +5,15 @@ import java.nio.ByteBuffer;
 import java.nio.MappedByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.channels.FileChannel.MapMode;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.Objects;
+import org.evoloop.journal.Place.Link;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A file that is being written. All its bytes are allocated when it is created, so that a record needs no system call
@@ -26,6 +32,11 @@ final class Segment implements AutoCloseable {
     private final MappedByteBuffer map;
     private volatile int end = Preamble.BYTES;
     private int sure = Preamble.BYTES;
+    private long headers;
+    private int place;
+    private boolean closed;
+    private final @Nullable Object key;
+    private volatile boolean lost;
 
     /** @throws IOException if it exists, or there is no room for it; then no file is left */
     Segment(Path file, int bytes) throws IOException {
@@ -39,6 +50,7 @@ final class Segment implements AutoCloseable {
                 left -= channel.write(zeros);
             }
             map = channel.map(MapMode.READ_WRITE, 0, bytes);
+            key = attributes().fileKey();
         } catch (IOException e) {
             channel.close();
             file.toFile().delete();
@@ -55,10 +67,8 @@ final class Segment implements AutoCloseable {
         return map.capacity();
     }
 
-    /** Renames the file, before the segment {@linkplain #begin begins}. */
-    void moveTo(Path name) throws IOException {
-        Files.move(file, name);
-        file = name;
+    private BasicFileAttributes attributes() throws IOException {
+        return Files.readAttributes(file, BasicFileAttributes.class, LinkOption.NOFOLLOW_LINKS);
     }
 
     /** Deletes the segment, which is not needed. */
@@ -89,14 +99,51 @@ final class Segment implements AutoCloseable {
             map.put(payload, bytes, 0, length);
             crc = Frame.crcOf(bytes, 0, length);
         }
-        Frame.finish(map, at, Frame.header(length, crc));
+        long header = Frame.header(length, crc);
+        Frame.finish(map, at, header);
+        headers = Frame.sum(headers, header);
         end = payload + Frame.padded(length);
         return true;
     }
 
-    /** Makes it a valid segment, after its first records. */
-    void begin() {
-        Preamble.write(map);
+    /**
+     * Makes it a valid segment, after its first records, and gives it its name.
+     *
+     * @throws IOException if that is impossible; it is deleted then
+     */
+    void begin(Path name, Place begun) throws IOException {
+        Preamble.write(map, begun);
+        place = begun.crc();
+        try {
+            Files.move(file, name);
+            file = name;
+        } catch (FileAlreadyExistsException other) {
+            discard();
+            throw new IOException(name + " is there already, and is none of its segments; move it away", other);
+        } catch (IOException e) {
+            discard();
+            throw e;
+        }
+    }
+
+    /** Where it ends now. */
+    Link link() {
+        return new Link(end, Frame.sum(headers, place));
+    }
+
+    /** Looks whether the file is still what it was, so that what is appended can be read again. */
+    void look() {
+        try {
+            BasicFileAttributes present = attributes();
+            lost = !Objects.equals(present.fileKey(), key) || present.size() < map.capacity();
+        } catch (IOException gone) {
+            lost = true;
+        }
+    }
+
+    /** Whether the file had been removed, replaced or cut at the last {@linkplain #look}. */
+    boolean isLost() {
+        return lost;
     }
 
     /** Whether something was written that may not be on the disk yet. */
@@ -114,7 +161,9 @@ final class Segment implements AutoCloseable {
             }
             sure = until;
             Preamble.sure(map, until);
-            makeWritable(until);
+            if (!closed) {
+                makeWritable(until);
+            }
         }
     }
 
@@ -132,10 +181,15 @@ final class Segment implements AutoCloseable {
         return (at | (PAGE_BYTES - 1)) + 1;
     }
 
-    /** Releases the unused room; nothing may be appended any more. */
+    /** Notes where it ends, and releases the unused room; nothing may be appended any more. */
     @Override
-    public void close() throws IOException {
+    public synchronized void close() throws IOException {
+        if (closed) {
+            return;
+        }
+        closed = true;
         try {
+            Preamble.close(map, link());
             channel.truncate(end);
         } catch (IOException stillMapped) {
             // Windows cannot truncate a mapped file; the zeros at its end are harmless.

@@ -28,7 +28,7 @@ final class SegmentInputs {
         try {
             this.from = SnapshotText.read(rules, segment.snapshot());
         } catch (SnapshotException e) {
-            throw JournalException.ofDamage(file + ", record 0: " + e.getMessage());
+            throw JournalException.ofDamage(file, ", record 0: " + e.getMessage());
         }
     }
 

@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.evoloop.journal.Place.Link;
 
 /**
  * A segment, read record by record. A record that was being written when the process or the computer ended is ignored;
@@ -16,7 +17,7 @@ final class SegmentReader {
     private final byte[] bytes;
     private final ByteBuffer buffer;
     private final Cursor cursor;
-    private final long sure;
+    private final Preamble preamble;
     private final Head head;
     private final String snapshot;
 
@@ -26,6 +27,7 @@ final class SegmentReader {
     private int next = Preamble.BYTES;
     private int at;
     private int length;
+    private long headers;
     private long records;
     private boolean torn;
 
@@ -39,8 +41,8 @@ final class SegmentReader {
         this.bytes = bytes;
         this.buffer = ByteBuffer.wrap(bytes);
         this.cursor = new Cursor(bytes);
-        Preamble.require(file, bytes);
-        this.sure = Preamble.sure(bytes);
+        this.preamble = Preamble.of(file, bytes);
+        requireSize();
         requireNext("its head");
         Head read;
         try {
@@ -51,23 +53,39 @@ final class SegmentReader {
         }
         this.head = read;
         this.boot = read.boot();
+        requireUncut();
         requireNext("a snapshot");
         this.snapshot = new String(bytes, at, length, StandardCharsets.UTF_8);
         // The first record is the first input.
         records = 0;
     }
 
-    /** The used size of {@code file}; 0 if it was being created when the process or the computer ended. */
-    static long writtenBytes(Path file) {
-        byte[] bytes = read(file);
-        if (Preamble.isBlank(bytes)) {
-            return 0;
+    /** The beginning of {@code file}. @throws JournalException as the constructor */
+    static Preamble preamble(Path file) {
+        return Preamble.of(file, read(file));
+    }
+
+    /** A closed segment ends where it says, unless the unused room could not be released. */
+    private void requireSize() {
+        int most = preamble.place().bytes();
+        int end = isOpen() ? preamble.sure() : preamble.end().end();
+        if (bytes.length < end) {
+            throw cut("it was written up to byte " + end);
         }
-        int written = bytes.length;
-        while (bytes[written - 1] == 0) {
-            written--;
+        if (bytes.length > most || (!isOpen() && bytes.length != end && bytes.length != most)) {
+            throw JournalException.ofDamage(file, ", byte " + (isOpen() ? most : end) + ": something follows its end");
         }
-        return written;
+    }
+
+    /** A killed process leaves all the room that it had reserved. */
+    private void requireUncut() {
+        if (isOpen() && bytes.length < preamble.place().bytes() && !isBeforePowerCut()) {
+            throw cut("its process reserved " + preamble.place().bytes() + " bytes");
+        }
+    }
+
+    private JournalException cut(String why) {
+        return JournalException.ofDamage(file, ", byte " + bytes.length + ": it is cut there; " + why);
     }
 
     private static byte[] read(Path file) {
@@ -100,6 +118,10 @@ final class SegmentReader {
         }
     }
 
+    Path file() {
+        return file;
+    }
+
     Head head() {
         return head;
     }
@@ -114,16 +136,16 @@ final class SegmentReader {
 
     /** Advances to the next record; false if there is none. */
     boolean next() {
+        if (!isOpen() && next >= preamble.end().end()) {
+            requireEnd();
+            return ends(false);
+        }
         if (bytes.length - next < Frame.HEADER_BYTES) {
-            return ends(!isZeroFrom(next));
+            return endsUnwritten("it is cut");
         }
         long header = buffer.getLong(next);
         if (header == 0) {
-            boolean begun = !isZeroFrom(next);
-            if (begun && next < sure) {
-                throw damaged("its header is blank, and something follows");
-            }
-            return ends(begun);
+            return endsUnwritten("its header is blank");
         }
         if (!Frame.isSound(header)) {
             return endsAtRagged("the check of its length is wrong");
@@ -132,7 +154,7 @@ final class SegmentReader {
         int size = Frame.length(header);
         int after = payload + Frame.padded(size);
         if (after > bytes.length) {
-            return ends(true);
+            return endsAtRagged("its length of " + size + " bytes goes beyond the end of the file");
         }
         if (Frame.crcOf(bytes, payload, size) != Frame.crc(header) || !isZero(payload + size, after)) {
             return endsAtRagged("its checksum is wrong");
@@ -140,8 +162,29 @@ final class SegmentReader {
         at = payload;
         length = size;
         next = after;
+        headers = Frame.sum(headers, header);
         records++;
         return true;
+    }
+
+    /** Whether it has no end yet, as while it is written, or after a kill. */
+    private boolean isOpen() {
+        return preamble.ending() == Preamble.Ending.OPEN;
+    }
+
+    private void requireEnd() {
+        if (!link().equals(preamble.end())) {
+            throw JournalException.ofDamage(
+                    file, ", byte 88: its records end at " + link() + ", but it was closed at " + preamble.end());
+        }
+    }
+
+    /** No record was completed there. */
+    private boolean endsUnwritten(String what) {
+        if (!isOpen() || next < preamble.sure()) {
+            throw damagedNext(what + ", though more was written");
+        }
+        return ends(!isZeroFrom(next));
     }
 
     private boolean isZeroFrom(int from) {
@@ -164,11 +207,24 @@ final class SegmentReader {
 
     /** Only a power cut leaves such a record, beyond the part certainly on the disk. */
     private boolean endsAtRagged(String what) {
-        boolean powerCut = !boot.isEmpty() && !boot.equals(Boot.ID);
-        if (next < sure || !powerCut) {
+        if (!isOpen() || next < preamble.sure() || !isBeforePowerCut()) {
             throw damagedNext(what);
         }
         return ends(true);
+    }
+
+    /** Whether the computer has been restarted since it began, so that what was not forced may be missing. */
+    boolean isBeforePowerCut() {
+        return Boot.hasEnded(boot);
+    }
+
+    Preamble preamble() {
+        return preamble;
+    }
+
+    /** The end of the last complete record, with the sum of all. */
+    Link link() {
+        return new Link(next, Frame.sum(headers, preamble.place().crc()));
     }
 
     /** The offset of the present record in the file, in bytes. */
@@ -214,6 +270,6 @@ final class SegmentReader {
     }
 
     private JournalException wrong(int place, long number, String what) {
-        return JournalException.ofDamage(file + ", byte " + place + ", record " + number + ": " + what);
+        return JournalException.ofDamage(file, ", byte " + place + ", record " + number + ": " + what);
     }
 }

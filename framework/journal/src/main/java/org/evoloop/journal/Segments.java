@@ -9,6 +9,8 @@ import org.evoloop.core.Core;
 import org.evoloop.core.Rules;
 import org.evoloop.core.text.SnapshotText;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.journal.Place.Link;
+import org.evoloop.journal.Preamble.Ending;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -70,8 +72,15 @@ final class Segments implements AutoCloseable {
         return !closed && (!failing || System.nanoTime() - failedNanos >= RETRY_NANOS);
     }
 
+    /** The file that is written, if it is not in its place any more; null otherwise. */
+    @Nullable
+    Path lost() {
+        Segment current = segment;
+        return current != null && current.isLost() ? current.file() : null;
+    }
+
     /**
-     * Appends the record; false if the segment is full, or there is none. @throws IOException if it does not fit into
+     * Appends the record; false if the segment is full or lost, or there is none. @throws IOException if it does not fit into
      * any
      */
     boolean append(Bytes record) throws IOException {
@@ -79,7 +88,7 @@ final class Segments implements AutoCloseable {
             throw new IOException("an input takes " + record.length() + " bytes, allowed are " + Frame.MOST_BYTES);
         }
         Segment current = segment;
-        if (current == null || !current.append(record.array(), record.length())) {
+        if (current == null || current.isLost() || !current.append(record.array(), record.length())) {
             return closed;
         }
         if (forcer != null) {
@@ -95,7 +104,7 @@ final class Segments implements AutoCloseable {
         int unwritten = bytes.length();
         bytes.forgetNames();
         begun.write(bytes);
-        Segment next = new Segment(directory.next(), size(bytes.length() + snapshot.length + unwritten));
+        Segment next = new Segment(directory.fresh("beginning"), size(bytes.length() + snapshot.length + unwritten));
         next.append(bytes.array(), bytes.length());
         begin(next, snapshot, begun);
     }
@@ -110,37 +119,57 @@ final class Segments implements AutoCloseable {
 
     private void begin(Segment next, byte[] snapshot, Head begun) throws IOException {
         next.append(snapshot, snapshot.length);
-        next.begin();
-        directory.add(next.file(), next.size());
         Segment ended = segment;
+        Path before = directory.newest();
+        if (ended != null) {
+            directory.ends(ended.link());
+        }
+        Link end = directory.end();
+        List<Path> outgrown = directory.outgrown(next.size(), options.keptBytes());
+        next.begin(directory.next(), directory.place(next.size(), outgrown));
+        directory.begun(next.file(), next.size(), outgrown);
         segment = next;
         failing = false;
         head = begun;
         models = begun.models();
         fingerprint = begun.fingerprint();
-        if (options.forcing() == Forcing.PER_INTENT) {
+        if (before == null) {
+            // Without a segment before it, a blank one would be a journal without a state.
+            next.force();
+        } else if (options.forcing() == Forcing.PER_INTENT) {
+            if (ended != null) {
+                ended.force();
+            }
             next.force();
         }
-        List<Path> outgrown = directory.outgrown(options.keptBytes());
+        Runnable chore = () -> tidy(ended, next, before, end, outgrown);
         if (forcer != null) {
-            forcer.use(next, () -> tidy(ended, outgrown));
+            forcer.use(next, chore);
         } else {
-            tidy(ended, outgrown);
+            chore.run();
         }
     }
 
-    /** @param ended null if there was none before */
-    private void tidy(@Nullable Segment ended, List<Path> outgrown) {
-        if (ended != null) {
-            try {
+    /**
+     * @param ended null if it has been closed
+     * @param before the file of the segment before {@code next}, which ended at {@code end}; null if there was none
+     */
+    private void tidy(@Nullable Segment ended, Segment next, @Nullable Path before, Link end, List<Path> outgrown) {
+        try {
+            if (ended != null) {
                 if (forcer != null) {
                     ended.force();
                 }
                 ended.close();
-            } catch (IOException | RuntimeException | InternalError e) {
-                LOG.warn(
-                        "{} cannot be put on the disk; a power cut would lose what was written there", ended.file(), e);
             }
+            if (forcer != null) {
+                next.force();
+            }
+            if (before != null && (ended == null || !ended.isLost())) {
+                Preamble.continued(before, forcer == null ? Ending.CONTINUED : Ending.SURELY_CONTINUED, end);
+            }
+        } catch (IOException | RuntimeException | InternalError e) {
+            LOG.warn("{} cannot be put on the disk; a power cut would lose what was written there", before, e);
         }
         outgrown.forEach(Directory::delete);
     }
@@ -151,7 +180,7 @@ final class Segments implements AutoCloseable {
         Bytes names = new Bytes();
         Head begun = head(rules);
         begun.write(names);
-        Segment next = new Segment(directory.prepared(), size(2 * LEAST_ROOM + names.length()));
+        Segment next = new Segment(directory.fresh("prepared"), size(2 * LEAST_ROOM + names.length()));
         next.append(names.array(), names.length());
         prepared = new Prepared(rules, begun, names, next);
     }
@@ -174,7 +203,6 @@ final class Segments implements AutoCloseable {
             ready.segment().discard();
             begin(core, ready.names());
         } else {
-            ready.segment().moveTo(directory.next());
             begin(ready.segment(), snapshot, ready.head());
         }
         return ready.names();
@@ -201,6 +229,7 @@ final class Segments implements AutoCloseable {
         Segment ended = segment;
         segment = null;
         if (ended != null) {
+            directory.ends(ended.link());
             if (closed || options.forcing() == Forcing.PER_INTENT) {
                 ended.force();
             }

@@ -262,6 +262,22 @@ class ConverterRecoveryTest {
     }
 
     @Test
+    void noFunctionRunsWhileTheDeviceIsSentToOtherModelsStateEvenAfterACrash() throws Exception {
+        robot.press("Clean");
+        robot.press("Spot");
+        robot.settle();
+        assertThat(robot.done).containsExactly("move");
+        robot.evolve(Robot.movingInClean());
+        robot.copyAndRevive();
+        robot.meanwhile = () -> robot.done.add("driven");
+        robot.converter.start();
+        robot.settle();
+        assertThat(robot.states()).isEqualTo("(Clean, Move)");
+        assertThat(robot.sent).containsExactly("Clean", "Clean");
+        assertThat(robot.done).containsExactly("move", "driven", "move");
+    }
+
+    @Test
     void modelsWithoutAKnowledgeFactoryAreNamed() {
         robot.evolve(Robot.withoutSpotWait());
         robot.copy();

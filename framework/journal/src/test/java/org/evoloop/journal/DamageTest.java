@@ -22,7 +22,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * A truncated file continues from its last complete record; a changed one is refused, unless the change has no meaning.
+ * A killed process's file continues from its last complete record; a changed or cut one is refused, unless the change
+ * has no meaning.
  */
 class DamageTest {
     private static final List<Input> STORY = Story.of(Robot.RULES, new Random(3), 40);
@@ -38,7 +39,8 @@ class DamageTest {
     @BeforeEach
     void write() throws Exception {
         journal = directory.resolve("journal");
-        try (JournaledCore kept = JournaledCore.in(journal)) {
+        try (JournaledCore kept = new JournaledCore(
+                journal, Journal.in(journal).withSegmentBytes(1 << 16).withForcing(Forcing.NEVER))) {
             kept.input(STORY.subList(0, STORY.size() - 1));
             before = kept.core.snapshot();
             kept.input(STORY.subList(STORY.size() - 1, STORY.size()));
@@ -73,18 +75,56 @@ class DamageTest {
         return replay.result(clock);
     }
 
+    /** The header is written last: without it, nothing of the record counts. */
+    @Test
+    void aRecordThatAKilledProcessWasWritingIsCutOff() throws Exception {
+        byte[] whole = Files.readAllBytes(segmentIn(directory.resolve("killed")));
+        Path file = directory.resolve("cut");
+        int start = startOfLastRecord();
+        for (int written = start; written <= endOfLastRecord(); written++) {
+            byte[] torn = whole.clone();
+            Arrays.fill(torn, start, start + Frame.HEADER_BYTES, (byte) 0);
+            Arrays.fill(torn, Math.max(written, start), endOfLastRecord(), (byte) 0);
+            assertThat(later(recovered(torn, file)))
+                    .as("written to %d", written)
+                    .isEqualTo(later(before));
+            assertThat(file.toFile().length()).isEqualTo(start);
+            assertThat(later(recovered(Files.readAllBytes(file), file))).isEqualTo(later(before));
+        }
+        assertThat(recovered(whole, file)).isEqualTo(last);
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"journal", "killed"})
-    void cutOffAtEveryByteOfTheLastRecord(String which) throws Exception {
+    void aFileThatIsCutIsRefused(String which) throws Exception {
         byte[] whole = Files.readAllBytes(segmentIn(directory.resolve(which)));
         Path file = directory.resolve("cut");
-        for (int length = startOfLastRecord(); length < endOfLastRecord(); length++) {
-            assertThat(later(recovered(Arrays.copyOf(whole, length), file)))
+        for (int length = 0; length < whole.length; length += length < endOfLastRecord() + 16 ? 1 : 4001) {
+            byte[] cut = Arrays.copyOf(whole, length);
+            assertThatThrownBy(() -> recovered(cut, file))
                     .as("cut at %d", length)
-                    .isEqualTo(later(before));
-            assertThat(file.toFile().length()).isEqualTo(startOfLastRecord());
+                    .isInstanceOf(JournalException.class)
+                    .hasMessageStartingWith(
+                            file + (length == 0 ? ": it is empty" : ", byte " + length + ": it is cut"));
         }
-        assertThat(recovered(Arrays.copyOf(whole, endOfLastRecord()), file)).isEqualTo(last);
+    }
+
+    /** Of what was not forced, a power cut leaves any part. */
+    @Test
+    void aPowerCutMayCutOffWhatWasNotSure() throws Exception {
+        byte[] bytes = inAnotherBoot(Files.readAllBytes(segmentIn(directory.resolve("killed"))));
+        for (int length = startOfLastRecord(); length < endOfLastRecord(); length++) {
+            assertThat(later(recovered(Arrays.copyOf(bytes, length), directory.resolve("short"))))
+                    .isEqualTo(later(before));
+        }
+        Preamble.sure(ByteBuffer.wrap(bytes), endOfLastRecord());
+        byte[] sure = Arrays.copyOf(bytes, endOfLastRecord() - 8);
+        assertThatThrownBy(() -> recovered(sure, directory.resolve("sure")))
+                .hasMessageContaining("it is cut there; it was written up to byte " + endOfLastRecord());
+        byte[] blank = bytes.clone();
+        Arrays.fill(blank, startOfLastRecord(), endOfLastRecord(), (byte) 0);
+        assertThatThrownBy(() -> recovered(blank, directory.resolve("blank")))
+                .hasMessageContaining("its header is blank, though more was written");
     }
 
     /** The last input may carry a later time, to which the clock was advanced. */
@@ -105,10 +145,8 @@ class DamageTest {
         changeBits(which, 1);
     }
 
-    /** Of the unused space that a killed process leaves, a little is enough. */
     private void changeBits(String which, int step) throws Exception {
-        byte[] left = Files.readAllBytes(segmentIn(directory.resolve(which)));
-        byte[] whole = Arrays.copyOf(left, Math.min(left.length, endOfLastRecord() + 4096));
+        byte[] whole = Files.readAllBytes(segmentIn(directory.resolve(which)));
         Path file = directory.resolve("changed");
         for (int bit = 0; bit < 8 * endOfLastRecord(); bit += step) {
             byte[] changed = whole.clone();
@@ -133,21 +171,49 @@ class DamageTest {
         assertThat(records).isGreaterThan(STORY.size() / 2);
     }
 
-    @Test
-    void anotherVersionIsRefused() throws Exception {
+    @ParameterizedTest
+    @ValueSource(ints = {8, 10})
+    void anotherVersionIsRefused(int version) throws Exception {
         Path segment = segmentIn(journal);
         byte[] bytes = Files.readAllBytes(segment);
-        ByteBuffer.wrap(bytes).putInt(8, Preamble.VERSION + 1);
+        ByteBuffer.wrap(bytes).putInt(8, version);
         ByteBuffer.wrap(bytes).putInt(12, Frame.crcOf(bytes, 0, 12));
         Files.write(segment, bytes);
 
         assertThatThrownBy(() -> JournaledCore.recovered(Robot.RULES, journal, clock))
                 .isInstanceOf(JournalException.class)
                 .hasMessage(segment
-                        + ", byte 8: it is written in version " + (Preamble.VERSION + 1)
+                        + ", byte 8: it is written in version " + version
                         + " of the format, and this Evoloop reads version "
                         + Preamble.VERSION + "; use "
                         + "the version of Evoloop that wrote it, or start with an empty directory");
+    }
+
+    @Test
+    void magicHeaderAndLengthAreNamed() throws Exception {
+        byte[] whole = Files.readAllBytes(segmentIn(journal));
+        int header = startOfLastRecord();
+        assertRefused(whole, 0, 'X', ", byte 0: it does not begin with EVOLOOPJ");
+        assertRefused(whole, 11, 1, ", byte 8: the version does not match its checksum");
+        assertRefused(whole, 50, 1, ", byte 32: its number and what came before do not match their checksum");
+        assertRefused(whole, 90, 1, ", byte 88: its records end at byte ");
+        assertRefused(whole, 96, 1, ", byte 96: the mark of its end is unknown");
+        assertRefused(whole, Preamble.BYTES + 20, 1, ", byte 104, record 1: its checksum is wrong");
+        assertRefused(whole, header + 2, 1, ", byte " + header + ", record ", ": the check of its length is wrong");
+
+        byte[] longer = whole.clone();
+        ByteBuffer.wrap(longer).putLong(header, Frame.header(1_000_000, 0));
+        assertThatThrownBy(() -> recovered(longer, directory.resolve("changed")))
+                .hasMessageContaining("its length of 1000000 bytes goes beyond the end of the file");
+    }
+
+    private void assertRefused(byte[] whole, int at, int change, String... words) {
+        byte[] changed = whole.clone();
+        changed[at] ^= (byte) change;
+        Path file = directory.resolve("changed");
+        assertThatThrownBy(() -> recovered(changed, file))
+                .hasMessageStartingWith(file + words[0])
+                .hasMessageContainingAll(words);
     }
 
     @Test
@@ -155,7 +221,7 @@ class DamageTest {
         assertThatThrownBy(
                         () -> JournaledCore.recovered(Robot.rules(Robot.models("another", "Spot"), 8), journal, clock))
                 .isInstanceOf(JournalException.class)
-                .hasMessageStartingWith(segmentIn(journal) + ", byte 32, record 0: the journal is of other models:"
+                .hasMessageStartingWith(segmentIn(journal) + ", byte 104, record 0: the journal is of other models:"
                         + " 'original' and 'new', fingerprint ")
                 .hasMessageContaining("not 'another' and 'new'")
                 .hasMessageEndingWith("start with the models that it was written with, or use another directory");
@@ -171,21 +237,25 @@ class DamageTest {
 
     @Test
     void aSegmentThatWasOnlyBeingCreatedIsLeftOut() throws Exception {
-        Path blank = journal.resolve("0000000002.journal");
-        Files.write(blank, new byte[500]);
+        Files.write(journal.resolve("beginning"), new byte[500]);
 
         assertThat(JournaledCore.recovered(Robot.RULES, journal, clock)).isEqualTo(last);
-        assertThat(blank).doesNotExist();
+        JournaledCore.in(journal).close();
+        assertThat(journal.resolve("beginning")).doesNotExist();
     }
 
+    /** A segment has its name only when it has its content; a power cut may have taken that again. */
     @Test
-    void aSegmentThatIsMissingIsNoticed() throws Exception {
-        Files.copy(segmentIn(journal), journal.resolve("0000000003.journal"));
-
+    void aBlankSegmentIsLeftOutOnlyAfterAPowerCut() throws Exception {
+        Path blank = journal.resolve("0000000002.journal");
+        Files.write(blank, new byte[500]);
         assertThatThrownBy(() -> JournaledCore.recovered(Robot.RULES, journal, clock))
-                .hasMessage(
-                        "the journal " + journal + " lacks the segment before 0000000003.journal; it is needed to go"
-                                + " on. " + Directory.DAMAGED);
+                .hasMessageStartingWith(blank + ", byte 0: it is blank");
+
+        byte[] killed = Files.readAllBytes(segmentIn(directory.resolve("killed")));
+        Files.write(segmentIn(journal), inAnotherBoot(killed));
+        assertThat(JournaledCore.recovered(Robot.RULES, journal, clock)).isEqualTo(last);
+        assertThat(blank).doesNotExist();
     }
 
     @Test

@@ -24,6 +24,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 @Timeout(30)
 class JournalFuzzTest {
     private static final byte[] WHOLE = segment();
+    private static final byte[] OPEN = open();
     private static final int FIRST_RECORD = firstRecord();
     private static final Path FILE = file();
 
@@ -53,6 +54,13 @@ class JournalFuzzTest {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
+    }
+
+    /** As a killed process leaves it, but for the unused room. */
+    private static byte[] open() {
+        byte[] bytes = WHOLE.clone();
+        Arrays.fill(bytes, 88, Preamble.BYTES, (byte) 0);
+        return bytes;
     }
 
     private static int firstRecord() {
@@ -91,14 +99,19 @@ class JournalFuzzTest {
     @FuzzTest
     void recordsOfAnyBytesAreContinuedOrRefused(byte[] bytes) throws IOException {
         ByteArrayOutputStream segment = new ByteArrayOutputStream();
-        segment.write(WHOLE, 0, FIRST_RECORD);
+        segment.write(OPEN, 0, FIRST_RECORD);
         int from = 0;
         while (from < bytes.length) {
             int length = Math.min(bytes[from] & 0xFF, bytes.length - from - 1);
             segment.write(framed(bytes, from + 1, length));
             from += length + 1;
         }
-        recover(segment.toByteArray());
+        byte[] written = segment.toByteArray();
+        Place place = Preamble.of(FILE, OPEN).place();
+        Preamble.write(
+                ByteBuffer.wrap(written),
+                new Place(place.journal(), place.number(), place.oldest(), place.before(), written.length));
+        recover(written);
     }
 
     private static byte[] framed(byte[] bytes, int from, int length) {

@@ -65,7 +65,9 @@ final class KilledConverter {
 
     /** @param args the directory, and when to force */
     public static void main(String[] args) throws Exception {
-        LoopConfig config = LoopConfig.defaults("killed", new SystemClock()).withQueueCapacity(100_000);
+        LoopConfig config = LoopConfig.defaults("killed", new SystemClock())
+                .withQueueCapacity(100_000)
+                .withPressAge(Duration.ofDays(1));
         SystemEventConverter converter = new SystemEventConverter(config);
         Buttons buttons = new Buttons();
         converter.addMonitor(buttons);

@@ -65,6 +65,22 @@ final class Robot {
         return new ModelPair(MODELS.original(), evolved.build());
     }
 
+    /** A robot that moves while it cleans: a robot that moves otherwise has to be sent there. */
+    static ModelPair movingInClean() {
+        return new ModelPair(
+                MODELS.original(),
+                StateMachine.named("busy")
+                        .initial("Off")
+                        .transition("Off", "Clean", "On")
+                        .transition("On", "Clean", "Clean")
+                        .transition("On", "Spot", "Spot")
+                        .transition("Clean", "Clean", "On")
+                        .transition("Clean", "Spot", "Move")
+                        .transition("Move", "arriveSpot", "On")
+                        .transition("Spot", "endSpot", "On")
+                        .build());
+    }
+
     static Rules rules(ModelPair models, int queueCapacity) {
         DeviceEvents device = new DeviceEvents(
                         Set.of(new Event("Clean"), new Event("Spot")), Set.of(new Event("endSpot")))

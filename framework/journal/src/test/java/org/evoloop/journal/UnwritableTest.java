@@ -12,6 +12,7 @@ import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.Step;
+import org.evoloop.evolution.Values;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
@@ -49,7 +50,8 @@ class UnwritableTest {
 
             assertThatThrownBy(() -> {
                         while (true) {
-                            buttons.press("next");
+                            // Large, so that few of them fill a segment.
+                            buttons.press("next", Values.of("note", "x".repeat(4000)));
                             await().until(() -> converter.status().queue().depth() == 0);
                         }
                     })

@@ -51,6 +51,7 @@ class ShutdownTest {
         String port = pty.path().toString();
         return new ProcessBuilder(
                         java,
+                        "--enable-native-access=ALL-UNNAMED",
                         "-XX:+UseSerialGC",
                         "-XX:TieredStopAtLevel=1",
                         "-cp",

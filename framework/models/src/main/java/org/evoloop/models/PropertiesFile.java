@@ -36,9 +36,21 @@ final class PropertiesFile {
      * @throws org.evoloop.statemachine.ModelException if it cannot be parsed
      */
     PropertyFile read(ModelReference evolved, ModelPair pair) throws IOException {
-        Path file = path(evolved);
-        return isThere(evolved)
-                ? PropertyFile.parse(file.toString(), TextFile.read(file, "properties"), pair)
-                : PropertyFile.none();
+        return isThere(evolved) ? parse(text(evolved), evolved, pair) : PropertyFile.none();
+    }
+
+    /** As {@link #read}, of a file that is there; returns its text. */
+    String text(ModelReference evolved, ModelPair pair) throws IOException {
+        String text = text(evolved);
+        parse(text, evolved, pair);
+        return text;
+    }
+
+    private String text(ModelReference evolved) throws IOException {
+        return TextFile.read(path(evolved), "properties");
+    }
+
+    private PropertyFile parse(String text, ModelReference evolved, ModelPair pair) {
+        return PropertyFile.parse(path(evolved).toString(), text, pair);
     }
 }

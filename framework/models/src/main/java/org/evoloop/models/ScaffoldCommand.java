@@ -70,7 +70,7 @@ final class ScaffoldCommand implements Callable<Integer> {
             return 1;
         }
         List<String> report = Scaffold.write(new Scaffold.Request(
-                pair, device, options.original(), options.evolved(), javaPackage, directory, propertiesFile(pair)));
+                pair, device, options.original(), options.evolved(), javaPackage, directory, propertiesText(pair)));
         return Output.print(
                 spec,
                 update
@@ -78,14 +78,9 @@ final class ScaffoldCommand implements Callable<Integer> {
                         : "wrote " + directory + "; go on with: cd " + directory + " && ./mvnw -q verify\n");
     }
 
-    /** The properties file to copy, or null if there is none. Fails if it cannot be parsed. */
-    private @Nullable Path propertiesFile(ModelPair pair) throws IOException {
+    /** The properties file's text, which is copied, or null if there is none. Fails if it cannot be parsed. */
+    private @Nullable String propertiesText(ModelPair pair) throws IOException {
         ModelReference evolved = options.evolved();
-        if (!properties.isThere(evolved)) {
-            return null;
-        }
-        Path file = properties.path(evolved);
-        properties.read(evolved, pair);
-        return file;
+        return properties.isThere(evolved) ? properties.text(evolved, pair) : null;
     }
 }

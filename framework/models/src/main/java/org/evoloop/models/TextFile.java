@@ -1,6 +1,8 @@
 package org.evoloop.models;
 
 import java.io.IOException;
+import java.io.Reader;
+import java.nio.CharBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -9,6 +11,8 @@ import org.evoloop.statemachine.ModelException;
 
 /** Reads text files written by hand. */
 final class TextFile {
+    private static final int LARGEST = 1_000_000;
+
     private TextFile() {}
 
     /**
@@ -19,15 +23,21 @@ final class TextFile {
      * @throws IOException if it cannot be read for another reason
      */
     static String read(Path file, String what) throws IOException {
-        if (Files.exists(file) && !Files.isRegularFile(file)) {
+        if (Files.isDirectory(file)) {
             throw new ModelException(file + ": is not a file; name a file of " + what);
         }
-        try {
-            return Files.readString(file);
+        CharBuffer text = CharBuffer.allocate(LARGEST + 1);
+        // Limited, since it may be a pipe or a device.
+        try (Reader in = Files.newBufferedReader(file)) {
+            while (text.hasRemaining() && in.read(text) >= 0) {}
         } catch (NoSuchFileException missing) {
             throw new ModelException(file + ": does not exist; correct the path", missing);
         } catch (CharacterCodingException notText) {
             throw new ModelException(file + ": contains bytes that are not UTF-8; save it in UTF-8", notText);
         }
+        if (!text.hasRemaining()) {
+            throw new ModelException(file + ": is larger than 1 MB; name a file of " + what);
+        }
+        return text.flip().toString();
     }
 }

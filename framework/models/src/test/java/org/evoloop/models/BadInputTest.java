@@ -87,7 +87,7 @@ class BadInputTest {
 
     @Test
     @EnabledOnOs(OS.LINUX)
-    @Timeout(60)
+    @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // opening a pipe cannot be interrupted
     void pipesAndDevicesAreNoModels(@TempDir Path directory) throws Exception {
         Path pipe = directory.resolve("pipe.xml");
         assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
@@ -95,7 +95,18 @@ class BadInputTest {
 
         assertRefused(Tool.run("show", pipe.toString()), "pipe.xml: is a pipe or a device");
         assertRefused(Tool.run("show", "/dev/zero"), "/dev/zero: is a pipe or a device");
-        assertRefused(Tool.run("check", ORIGINAL, NEW, "--properties", pipe.toString()), "pipe.xml: is not a file");
+        assertRefused(Tool.run("check", ORIGINAL, NEW, "--properties", "/dev/zero"), "/dev/zero: is larger than 1 MB");
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // opening a pipe cannot be interrupted
+    void propertiesMayComeFromAPipe(@TempDir Path directory) throws Exception {
+        Path pipe = directory.resolve("pipe.txt");
+        assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
+                .isZero();
+        new ProcessBuilder("sh", "-c", "echo never Nowhere >\"$0\"", pipe.toString()).start();
+        assertRefused(Tool.run("check", ORIGINAL, NEW, "--properties", pipe.toString()), "pipe.txt:1: ", "Nowhere");
     }
 
     @Test

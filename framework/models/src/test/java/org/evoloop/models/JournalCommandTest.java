@@ -235,15 +235,15 @@ class JournalCommandTest {
                         + Tool.run("journal", "show", directory()).out().lines().count() + " records\n");
         Path copy = Files.createDirectory(folder.resolve("copy"));
         byte[] bytes = Files.readAllBytes(folder.resolve("journal/0000000001.journal"));
-        bytes[100] ^= 4;
+        bytes[200] ^= 4;
         Files.write(copy.resolve("0000000001.journal"), bytes);
         for (String command : new String[] {"verify", "show"}) {
             Tool damaged = Tool.run("journal", command, copy.toString());
             assertThat(damaged.status()).isEqualTo(1);
             assertThat(damaged.err())
                     .matches(
-                            "error: .*/0000000001.journal, byte 32, record 1: its checksum is wrong. The journal is damaged;"
-                                    + " restore a copy .*\n");
+                            "error: .*/0000000001.journal, byte 104, record 1: its checksum is wrong. The journal is damaged;"
+                                    + " restore 0000000001.journal from a copy; .*\n");
         }
         Path half = folder.resolve("half.db");
         assertThat(Tool.run("journal", "export", copy.toString(), "--format", "sqlite", "--output", half.toString())

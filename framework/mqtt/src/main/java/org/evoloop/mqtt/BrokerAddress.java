@@ -57,15 +57,19 @@ public final class BrokerAddress {
         }
     }
 
-    private BrokerAddress(boolean tls, Place place, Map<String, String> parameters, @Nullable String password) {
+    private BrokerAddress(
+            boolean tls,
+            Place place,
+            Map<String, String> parameters,
+            @Nullable TrustManagerFactory trust,
+            @Nullable String password) {
         this.tls = tls;
         this.host = place.host();
         this.port = place.port() >= 0 ? place.port() : tls ? 8883 : 1883;
         this.user = place.user();
         this.parameters = parameters;
+        this.trust = trust;
         this.password = password;
-        String certificates = parameters.get("ca");
-        this.trust = certificates == null ? null : Trust.in(Path.of(certificates));
     }
 
     /**
@@ -98,7 +102,11 @@ public final class BrokerAddress {
                     + " contains a password, which everybody on this computer can see; leave it out, and put it into a file, "
                     + "with --mqtt-password-file FILE, or into the environment as " + MqttOptions.PASSWORD.variable());
         }
-        return new BrokerAddress("mqtts".equals(uri.getScheme()), place, parameters(uri), null);
+        Map<String, String> parameters = parameters(uri);
+        String certificates = parameters.get("ca");
+        // Read once, and kept with the address: the file may be a pipe.
+        TrustManagerFactory trust = certificates == null ? null : Trust.in(Path.of(certificates));
+        return new BrokerAddress("mqtts".equals(uri.getScheme()), place, parameters, trust, null);
     }
 
     /**
@@ -111,7 +119,7 @@ public final class BrokerAddress {
             throw new IllegalArgumentException("the broker's URL " + this
                     + " names no user whose password this could be; write the user before the host: mqtt://USER@HOST");
         }
-        return new BrokerAddress(tls, new Place(user, host, port), parameters, secret);
+        return new BrokerAddress(tls, new Place(user, host, port), parameters, trust, secret);
     }
 
     private static Map<String, String> parameters(URI uri) {

@@ -165,6 +165,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
     }
 
     private void serve(HiveSession made) throws BrokerException, InterruptedException {
+        judge(made);
         BooleanSupplier worthIt = () -> made.isUp() && !(closing && outbox.isEmpty());
         for (Message next = outbox.take(worthIt); next != null; next = outbox.take(worthIt)) {
             try {
@@ -176,17 +177,17 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
                 outbox.giveBack(next);
                 throw failure;
             }
-            if (outbox.isEmpty() && made.isUp()) {
-                allIsWell();
-            }
+            judge(made);
         }
     }
 
-    /** Every message has reached the broker. */
-    private void allIsWell() {
-        trouble = "";
-        if (attempts.succeeded(System.nanoTime())) {
-            LOG.info("{} has everything", address);
+    /** All is well once every message has reached the broker. */
+    private void judge(HiveSession made) {
+        if (outbox.isEmpty() && made.isUp()) {
+            trouble = "";
+            if (attempts.succeeded(System.nanoTime())) {
+                LOG.info("{} has everything", address);
+            }
         }
     }
 
@@ -236,7 +237,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
     @Override
     public String describe() {
         String wrong = trouble;
-        return wrong.isEmpty() ? address.toString() : wrong;
+        return isUp() || wrong.isEmpty() ? address.toString() : wrong;
     }
 
     /** Publishes the waiting messages, if the broker is connected, then disconnects and ends. Idempotent. */

@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
@@ -17,7 +19,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Takes the evolved system to a state by events of a controller, one after another, and waits for timers in between,
- * for example in a state that waits for a second press.
+ * for example in a state that waits for a second press. When anything else happens on the way, the errand is over.
  *
  * <p>Threading: not thread-safe.
  */
@@ -27,22 +29,37 @@ final class Errand {
     private final StateMachine evolved;
     private final Set<String> raisable;
     private final State goal;
+    private final Predicate<State> mayPass;
     private final Consumer<String> press;
     private final long deadlineNanos;
-    private @Nullable State pressedIn;
+    private boolean pressed;
+
+    /** Where the last step was taken; null before the first. */
+    private @Nullable State last;
+
+    /** Where that step leads. */
+    private Set<State> expected = Set.of();
 
     /**
      * An errand to {@code goal}.
      *
      * @param evolved the new model
      * @param raisable the events that may be pressed
+     * @param mayPass the states through which the way may lead
      * @param press presses one
      * @param nowNanos the time, by the converter's clock
      */
-    Errand(StateMachine evolved, Set<String> raisable, State goal, Consumer<String> press, long nowNanos) {
+    Errand(
+            StateMachine evolved,
+            Set<String> raisable,
+            State goal,
+            Predicate<State> mayPass,
+            Consumer<String> press,
+            long nowNanos) {
         this.evolved = evolved;
         this.raisable = raisable;
         this.goal = goal;
+        this.mayPass = mayPass;
         this.press = press;
         this.deadlineNanos = nowNanos + LIMIT.toNanos();
     }
@@ -58,19 +75,27 @@ final class Errand {
         if (evolved.alike(goal).contains(now) || nowNanos - deadlineNanos > 0) {
             return false;
         }
-        if (now.equals(pressedIn)) {
+        if (now.equals(last)) {
             return true;
+        }
+        if (last != null && !expected.contains(now)) {
+            return false;
         }
         Event next = firstStep(now);
         if (next == null || !(mayRaise(next) || isTimer(next))) {
-            if (pressedIn != null) {
+            if (pressed) {
                 // The functions and the device must do the rest.
                 return false;
             }
             throw new IllegalStateException("nothing that a controller may raise leads from " + now + " to " + goal);
         }
+        last = now;
+        expected = evolved.transitionsFrom(now).stream()
+                .filter(transition -> transition.event().trigger().equals(next.trigger()))
+                .map(Transition::target)
+                .collect(Collectors.toSet());
         if (mayRaise(next)) {
-            pressedIn = now;
+            pressed = true;
             press.accept(next.trigger().name());
         }
         return true;
@@ -91,6 +116,9 @@ final class Errand {
         Deque<State> changed = new ArrayDeque<>(List.of(from));
         while (!changed.isEmpty()) {
             State state = changed.remove();
+            if (!state.equals(from) && !mayPass.test(state)) {
+                continue;
+            }
             for (Transition transition : evolved.transitionsFrom(state)) {
                 State target = transition.target();
                 int cost = costs.getOrDefault(state, 0) + cost(transition.event());

@@ -1,5 +1,6 @@
 package org.evoloop.mqtt;
 
+import java.net.URI;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
@@ -9,6 +10,8 @@ import java.util.Set;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.evoloop.console.Console;
 import org.evoloop.console.JsonObject;
 import org.evoloop.console.OfferedModels;
@@ -23,6 +26,7 @@ import org.evoloop.evolution.Occurrence;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.Failure;
 import org.evoloop.loop.LoopState;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.time.Threads;
 import org.jspecify.annotations.Nullable;
@@ -41,7 +45,8 @@ import org.slf4j.LoggerFactory;
  * <p>Lifecycle: made when the converter has been built; {@link #vacuum} and {@link #choice}; {@link #open}, which does
  * not wait for the broker; {@link #close}, after which the device is unavailable.
  *
- * <p>Threading: {@link #open} and what comes before on one thread; {@link #goTo} for the vacuum, on its. The
+ * <p>Threading: {@link #open} and what comes before on one thread; {@link #goTo} and {@link #stay}
+ * for the vacuum, on its. The
  * converter's threads never wait for the broker.
  *
  * @since 0.1
@@ -68,12 +73,14 @@ public final class HomeAssistant implements AutoCloseable {
 
     private @Nullable Errand errand;
     private @Nullable Vacuum vacuum;
+    private @Nullable URI page;
     private @Nullable Thread thread;
     private volatile String lastFailure = "";
 
     /** Shows a console's converter there, and lets one of the {@linkplain OfferedModels models that it offers} be chosen. */
     public HomeAssistant(Console console, BrokerAddress address) {
         this(console.converters().get(0), address);
+        page = console.page().orElse(null);
         console.offeredModels()
                 .filter(offered -> offered.references().size() > 1)
                 .map(offered -> Choice.among(offered, converter))
@@ -105,22 +112,46 @@ public final class HomeAssistant implements AutoCloseable {
 
     /**
      * Raises the controller's events, one after another, that take the new model to a state, as a person would press
-     * buttons. Returns after the first, and ends an earlier call's work. It gives up after a minute.
+     * buttons. Returns after the first, and ends an earlier call's work. It gives up after a minute, and when something
+     * else happens on the way.
      *
      * @param state of the new model
      * @throws IllegalStateException if no events of a controller lead there, or the converter is stopped
      */
     public void goTo(State state) {
+        goTo(state, any -> true);
+    }
+
+    /**
+     * As {@link #goTo(State)}, through certain states only.
+     *
+     * @param mayPass whether the way may lead through this state of the new model; not asked about its ends
+     * @throws IllegalStateException if no events of a controller lead there on such a way, or the converter is stopped
+     */
+    public void goTo(State state, Predicate<State> mayPass) {
         Errand begun = new Errand(
                 converter.knowledge().models().evolved(),
-                HomeButtons.of(converter),
+                buttons(),
                 state,
+                mayPass,
                 controller::press,
                 converter.clock().nanoTime());
         errand = null;
         if (proceed(begun)) {
             errand = begun;
         }
+    }
+
+    /** The names of the events that a controller may raise. */
+    private Set<String> buttons() {
+        return converter.controllerEvents().stream()
+                .map(Event::name)
+                .collect(Collectors.toCollection(LinkedHashSet::new));
+    }
+
+    /** Ends the work of an earlier {@link #goTo}: no further events are raised for it. */
+    public void stay() {
+        errand = null;
     }
 
     private boolean proceed(Errand begun) {
@@ -287,9 +318,9 @@ public final class HomeAssistant implements AutoCloseable {
 
     private String config(ConverterStatus status) {
         HomeDiscovery discovery = new HomeDiscovery(topics, status.name())
-                .converter(converter.knowledge().models(), HomeButtons.of(converter));
+                .converter(converter.knowledge().models(), buttons());
         if (vacuum != null) {
-            discovery.vacuum();
+            discovery.vacuum(vacuum.commands());
         }
         if (status.link() != null) {
             discovery.link();
@@ -299,7 +330,7 @@ public final class HomeAssistant implements AutoCloseable {
         }
         readings.forEach(discovery::reading);
         choices.forEach(discovery::choice);
-        return discovery.payload();
+        return discovery.payload(page);
     }
 
     private void publish(Message message) {

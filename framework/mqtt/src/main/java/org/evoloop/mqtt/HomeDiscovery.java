@@ -1,9 +1,16 @@
 package org.evoloop.mqtt;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.net.URI;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
+import java.util.Properties;
+import java.util.Set;
 import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
 import org.evoloop.console.JsonObject;
@@ -25,6 +32,8 @@ final class HomeDiscovery {
     private static final String DIAGNOSTIC = "diagnostic";
     private static final Pattern PLAIN = Pattern.compile("[A-Za-z0-9]+(?:[ _.-][A-Za-z0-9]+)*");
 
+    private static final String VERSION = version();
+
     private final HomeTopics topics;
     private final String name;
     private final JsonObject components = new JsonObject();
@@ -33,6 +42,16 @@ final class HomeDiscovery {
     HomeDiscovery(HomeTopics topics, String converter) {
         this.topics = topics;
         this.name = converter.substring(0, 1).toUpperCase(Locale.ROOT) + converter.substring(1);
+    }
+
+    private static String version() {
+        try (InputStream file = Objects.requireNonNull(HomeDiscovery.class.getResourceAsStream("evoloop.properties"))) {
+            Properties properties = new Properties();
+            properties.load(file);
+            return properties.getProperty("version");
+        } catch (IOException broken) {
+            throw new UncheckedIOException(broken);
+        }
     }
 
     /**
@@ -85,6 +104,15 @@ final class HomeDiscovery {
                         .put("value_template", "{{ value_json.progress }}")
                         .put("json_attributes_topic", topics.state())
                         .put("json_attributes_template", "{{ value_json.function | tojson }}"));
+        add(
+                "sensor",
+                "next_timer",
+                "Next timer",
+                timer -> timer.put("device_class", "timestamp")
+                        .put("state_topic", topics.state())
+                        .put("value_template", "{{ value_json.next_timer }}")
+                        .put("json_attributes_topic", topics.state())
+                        .put("json_attributes_template", "{{ value_json.timers | tojson }}"));
         ofState("sensor", "problem", "Problem");
         ofState("sensor", "last_failure", "Last failure");
         for (String each : List.of("handled", "ignored", "stale", "failed", "dropped", "refused")) {
@@ -92,11 +120,11 @@ final class HomeDiscovery {
         }
         diagnostic("waiting", "Events waiting", depth -> depth.put("state_class", "measurement"));
         diagnostic(
-                "conversion_micros",
+                "conversion_millis",
                 "Conversion time",
                 time -> time.put("state_class", "measurement")
                         .put("device_class", "duration")
-                        .put("unit_of_measurement", "µs"));
+                        .put("unit_of_measurement", "ms"));
         return this;
     }
 
@@ -113,17 +141,24 @@ final class HomeDiscovery {
                         .put("entity_category", DIAGNOSTIC));
     }
 
-    /** The vacuum, after which the device is named. */
-    HomeDiscovery vacuum() {
+    /** The vacuum, after which the device is named, with the commands that it offers. */
+    HomeDiscovery vacuum(Set<Vacuum.Command> commands) {
+        List<String> features = new ArrayList<>();
+        commands.forEach(command -> features.add(feature(command)));
+        features.add("status");
         return add(
                 "vacuum",
                 "vacuum",
                 null,
                 vacuum -> vacuum.put("state_topic", topics.vacuum())
                         .put("command_topic", topics.vacuumCommand())
-                        .putTexts(
-                                "supported_features",
-                                List.of("start", "stop", "pause", "return_home", "clean_spot", "locate", "status")));
+                        .putTexts("supported_features", features));
+    }
+
+    private static String feature(Vacuum.Command command) {
+        return command == Vacuum.Command.RETURN_TO_BASE
+                ? "return_home"
+                : command.name().toLowerCase(Locale.ROOT);
     }
 
     /** The differences of a shadow, and the button that promotes it. */
@@ -189,6 +224,7 @@ final class HomeDiscovery {
                         .put("entity_category", DIAGNOSTIC));
     }
 
+    /** Shown by those who want it: it changes with every event, and Home Assistant would record each value. */
     private void diagnostic(String key, String entity, UnaryOperator<JsonObject> more) {
         add(
                 "sensor",
@@ -196,7 +232,8 @@ final class HomeDiscovery {
                 entity,
                 sensor -> more.apply(sensor.put("state_topic", topics.diagnostics())
                         .put("value_template", "{{ value_json." + key + " }}")
-                        .put("entity_category", DIAGNOSTIC)));
+                        .put("entity_category", DIAGNOSTIC)
+                        .put("enabled_by_default", false)));
     }
 
     private HomeDiscovery add(String platform, String key, @Nullable String entity, UnaryOperator<JsonObject> more) {
@@ -214,16 +251,24 @@ final class HomeDiscovery {
         return entity == null ? key(topics.id()) : key(topics.id()) + "_" + key;
     }
 
-    /** The payload with everything added. */
-    String payload() {
+    /**
+     * The payload with everything added.
+     *
+     * @param page the address of the converter's page; null if it has none
+     */
+    String payload(@Nullable URI page) {
         JsonObject device = new JsonObject()
                 .putTexts("identifiers", List.of("evoloop_" + topics.id()))
                 .put("name", name)
                 .put("manufacturer", "Evoloop")
-                .put("model", "Event converter");
+                .put("model", "Event converter")
+                .put("sw_version", VERSION);
+        if (page != null) {
+            device.put("configuration_url", page.toString());
+        }
         return new JsonObject()
                 .put("device", device)
-                .put("origin", new JsonObject().put("name", "Evoloop"))
+                .put("origin", new JsonObject().put("name", "Evoloop").put("sw_version", VERSION))
                 .put("availability_topic", topics.availability())
                 .put("qos", 1)
                 .put("components", components)

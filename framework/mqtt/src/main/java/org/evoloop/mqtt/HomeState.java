@@ -41,6 +41,10 @@ final class HomeState {
                 .put("reachable", link == null || link.up() ? "ON" : "OFF")
                 .put("problem", text(problem(status)))
                 .put("last_failure", text(lastFailure))
+                .put("timers", timers(status.timers()))
+                .put(
+                        "next_timer",
+                        status.timers().isEmpty() ? null : due(status.timers().get(0)))
                 .put("readings", JsonObject.of(shown(readings(status))))
                 .put("choices", chosen);
     }
@@ -65,6 +69,17 @@ final class HomeState {
             }
         }
         return "";
+    }
+
+    /** When the timers are due. It stays the same while they run, so that no second brings a message of its own. */
+    private static JsonObject timers(List<ConverterStatus.RunningTimer> running) {
+        JsonObject timers = new JsonObject();
+        running.forEach(timer -> timers.put(timer.event(), due(timer)));
+        return timers;
+    }
+
+    private static String due(ConverterStatus.RunningTimer timer) {
+        return timer.due().toString();
     }
 
     private static List<Reading> shown(List<Reading> readings) {
@@ -94,9 +109,14 @@ final class HomeState {
                 .put("in_progress", status.events().inProgress())
                 .put("dropped", status.queue().dropped())
                 .put("refused", status.queue().refused())
-                .put("conversion_micros", status.conversionTime().medianNanos() / 1000)
+                .put("conversion_millis", millis(status.conversionTime().medianNanos()))
                 .put("connects", connection.connects())
                 .put("lost", connection.lost());
+    }
+
+    /** In the unit that every version of Home Assistant knows, to a microsecond. */
+    private static double millis(long nanos) {
+        return Math.round(nanos / 1e3) / 1e3;
     }
 
     /** The report of the shadow; none after it has ended. */

@@ -1,8 +1,7 @@
 package org.evoloop.mqtt;
 
-import java.io.BufferedInputStream;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.GeneralSecurityException;
@@ -20,8 +19,10 @@ final class Trust {
     /** @throws IllegalArgumentException if the file cannot be read, or contains no certificate */
     static TrustManagerFactory in(Path file) {
         Collection<? extends Certificate> certificates;
-        try (InputStream in = new BufferedInputStream(Files.newInputStream(file))) {
-            certificates = CertificateFactory.getInstance("X.509").generateCertificates(in);
+        try {
+            // All bytes first: the file may be a pipe, in which the JDK's stream may fail to find its place.
+            certificates = CertificateFactory.getInstance("X.509")
+                    .generateCertificates(new ByteArrayInputStream(Files.readAllBytes(file)));
         } catch (IOException unreadable) {
             throw new IllegalArgumentException("the certificates of ca=" + file
                     + " cannot be read; check that the file is there, and that this user may read it");

@@ -1,5 +1,7 @@
 package org.evoloop.mqtt;
 
+import java.util.EnumSet;
+import java.util.Set;
 import org.evoloop.converter.ConverterStatus;
 
 /**
@@ -45,6 +47,14 @@ public interface Vacuum {
 
     /** The vacuum's activity. */
     Activity activity(ConverterStatus status);
+
+    /**
+     * The commands that Home Assistant offers: those that the new model can carry out. Asked again when other models
+     * have taken over.
+     */
+    default Set<Command> commands() {
+        return EnumSet.allOf(Command.class);
+    }
 
     /**
      * Executes a command; may block for some seconds.

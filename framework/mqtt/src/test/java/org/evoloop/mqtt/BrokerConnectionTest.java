@@ -12,6 +12,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.evoloop.Logged;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** With Debian's Mosquitto. */
@@ -50,6 +51,24 @@ class BrokerConnectionTest {
                 }
             }
             assertThat(connection.connects()).isEqualTo(4);
+        }
+    }
+
+    @Test
+    void aConnectionOnWhichNothingIsPublishedSaysThatItIsThere() throws Exception {
+        try (Mosquitto broker = new Mosquitto(directory).start();
+                BrokerConnection connection = connection(broker.url())) {
+            assertThat(connection.describe()).isEqualTo(broker.url() + " has not been reached yet");
+            connection.subscribe("lamp/button", message -> {});
+            connection.open();
+            for (int restart = 0; restart < 2; restart++) {
+                await().atMost(LIMIT).until(connection::isUp);
+                assertThat(connection.describe()).isEqualTo(broker.url());
+                broker.stop();
+                await().atMost(LIMIT).until(() -> !connection.isUp());
+                assertThat(connection.describe()).startsWith(broker.url()).isNotEqualTo(broker.url());
+                broker.start();
+            }
         }
     }
 
@@ -158,6 +177,18 @@ class BrokerConnectionTest {
         assertThat(trouble(own, foreign.certificate())).contains("certificate is not trusted", "?ca=FILE");
         assertThat(trouble(misnamed, misnamed.certificate())).contains("certificate is not trusted", "127.0.0.1");
         assertThat(trouble(own, own.certificate())).isEmpty();
+    }
+
+    @Test
+    @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // opening a pipe cannot be interrupted
+    void certificatesAreReadOnceSinceTheyMayComeFromAPipe() throws Exception {
+        Path pipe = directory.resolve("pipe");
+        assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
+                .isZero();
+        Path certificate = Certificate.of(directory, "own", "ip:127.0.0.1").certificate();
+        new ProcessBuilder("cp", certificate.toString(), pipe.toString()).start();
+        BrokerAddress address = BrokerAddress.parse("mqtts://ha@b?ca=" + pipe);
+        assertThat(address.withPassword("right").trust()).isNotNull().isSameAs(address.trust());
     }
 
     /** The error for a broker that presents one certificate if the client trusts another. */

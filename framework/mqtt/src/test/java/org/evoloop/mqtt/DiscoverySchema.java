@@ -24,7 +24,8 @@ final class DiscoverySchema {
             "entity_category",
             "device_class",
             "state_topic",
-            "value_template");
+            "value_template",
+            "enabled_by_default");
     private static final Map<String, Set<String>> MORE = Map.of(
             "sensor",
                     Set.of(
@@ -62,6 +63,7 @@ final class DiscoverySchema {
                 .containsExactlyInAnyOrder("device", "origin", "availability_topic", "qos", "components");
         assertThat(config.at("/device/identifiers/0").asString()).isNotEmpty();
         assertThat(config.at("/origin/name").asString()).isNotEmpty();
+        assertThat(config.at("/device/sw_version").asString()).matches("[0-9]+\\.[0-9]+.*");
         Set<String> ids = new HashSet<>();
         config.get("components").properties().forEach(entity -> {
             JsonNode component = entity.getValue();
@@ -76,6 +78,10 @@ final class DiscoverySchema {
                     .isTrue();
             assertThat(component.get("default_entity_id").asString()).matches(platform + "\\.[a-z0-9_]+");
             checkClass(entity.getKey(), component);
+            boolean isCounter = component.at("/state_topic").asString("").endsWith("/diagnostics");
+            assertThat(component.path("enabled_by_default").asBoolean(true))
+                    .as(entity.getKey())
+                    .isEqualTo(!isCounter);
             checkTemplate(entity.getKey(), component, published);
         });
         assertThat(config.get("components").propertyNames())
@@ -94,6 +100,13 @@ final class DiscoverySchema {
         String known = component.path("device_class").asString("");
         if (component.has("options") && component.get("platform").asString().equals("sensor")) {
             assertThat(known).as(key).isEqualTo("enum");
+            assertThat(component.has("state_class")).as(key).isFalse();
+        }
+        if (known.equals("duration")) {
+            // Those with a micro sign exist twice in Unicode, and were changed from one to the other.
+            assertThat(component.get("unit_of_measurement").asString()).isIn("ms", "s", "min", "h", "d");
+        }
+        if (known.equals("timestamp")) {
             assertThat(component.has("state_class")).as(key).isFalse();
         }
         if (known.equals("battery")) {

@@ -17,7 +17,7 @@ class ErrandTest {
     private final List<String> pressed = new ArrayList<>();
 
     private Errand to(String goal) {
-        return new Errand(robot, Set.of("Clean", "Spot"), new State(goal), pressed::add, 0);
+        return new Errand(robot, Set.of("Clean", "Spot"), new State(goal), state -> true, pressed::add, 0);
     }
 
     /** Makes the model follow each press at once, without waiting. */
@@ -66,5 +66,26 @@ class ErrandTest {
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageContaining("from Spot to On");
         assertThatThrownBy(() -> to("On").step(new State("Move"), 0)).isInstanceOf(IllegalStateException.class);
+    }
+
+    @Test
+    void itIsOverWhenSomethingElseHappensOnTheWay() {
+        Errand errand = to("Clean");
+        assertThat(errand.step(new State("Off"), 0)).isTrue();
+        assertThat(errand.step(new State("Spot"), 0)).isFalse();
+        assertThat(pressed).as("nothing is pressed in Spot").containsExactly("Clean");
+    }
+
+    @Test
+    void itsWayAvoidsStatesThatMustNotBePassed() {
+        Errand errand = new Errand(
+                robot,
+                Set.of("Clean", "Spot"),
+                new State("Clean"),
+                state -> !state.name().equals("On"),
+                pressed::add,
+                0);
+        assertThatThrownBy(() -> errand.step(new State("Off"), 0)).isInstanceOf(IllegalStateException.class);
+        assertThat(pressed).isEmpty();
     }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
 import java.io.InputStream;
+import java.net.URI;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -106,15 +107,34 @@ class HomeAssistantTest {
     }
 
     @Test
+    void whenATimerIsDueIsPublishedOnce() throws Exception {
+        watcher.awaitNewest(STATE, "\"timers\":{},\"next_timer\":null");
+        watcher.publish("evoloop/lamp/converting/set", "ON", false);
+        watcher.publish("evoloop/lamp/press", "switch", false);
+        watcher.publish("evoloop/lamp/press", "switch", false);
+        String due = lamp.clock.wallTime().plusSeconds(2).toString();
+        watcher.awaitNewest(STATE, "\"timers\":{\"timeout\":\"" + due + "\"},\"next_timer\":\"" + due + "\"");
+        lamp.clock.advance(Duration.ofSeconds(1));
+        watcher.publish("evoloop/lamp/press", "swich", false);
+        watcher.awaitHeard(DECISION, "swich");
+        assertThat(watcher.newest(STATE)).contains("\"next_timer\":\"" + due + "\"");
+        lamp.clock.advance(Duration.ofSeconds(1));
+        watcher.awaitNewest(STATE, "\"next_timer\":null");
+    }
+
+    @Test
     void theModelsThatAConsoleOffersAreChosenFrom() throws Exception {
         home.close();
         lamp.close();
         lamp = new Lamp();
         Console console = new Console(lamp.converter, InputStream.nullInputStream(), System.out, System.err);
+        console.shownAt(URI.create("http://pi:8080/"));
         console.evolvesBy(NewModels.offering(List.of("lamp.xml#new", "lamp.xml#plain"), lamp::model));
         home = new HomeAssistant(console, BrokerAddress.parse(broker.url() + "?id=choosing")).open();
         watcher.awaitNewest("evoloop/choosing/state", "\"choices\":{\"model\":\"new\"}");
         watcher.awaitNewest("homeassistant/device/evoloop_choosing/config", "\"options\":[\"new\",\"plain\"]");
+        watcher.awaitNewest(
+                "homeassistant/device/evoloop_choosing/config", "\"configuration_url\":\"http://pi:8080/\"");
         lamp.converter.start();
         watcher.publish("evoloop/choosing/choice/model/set", "plain", false);
         watcher.awaitNewest("evoloop/choosing/state", "\"choices\":{\"model\":\"plain\"}");

@@ -19,7 +19,7 @@ class HomeDiscoveryTest {
     private final HomeDiscovery discovery = new HomeDiscovery(new HomeTopics("lamp", "homeassistant"), "lamp");
 
     private JsonNode components() {
-        return JsonMapper.shared().readTree(discovery.payload()).get("components");
+        return JsonMapper.shared().readTree(discovery.payload(null)).get("components");
     }
 
     @Test

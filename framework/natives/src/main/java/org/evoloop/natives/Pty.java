@@ -6,17 +6,17 @@ import com.sun.jna.NativeLong;
 import com.sun.jna.Platform;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.FileTime;
 import java.util.Arrays;
-import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.Lock;
 import java.util.concurrent.locks.ReentrantLock;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -40,6 +40,9 @@ public final class Pty implements AutoCloseable {
 
     /** How long a read sleeps while there is no client; the kernel has no event for a new client. */
     private static final int NO_CLIENT_REST_MILLIS = 10;
+
+    /** What the links of simulators point to. */
+    private static final Pattern TERMINAL = Pattern.compile("/dev/pts/\\d+");
 
     private static final int POLL_ENTRY_BYTES = 8;
     private static final int POLL_EVENTS_OFFSET = 4;
@@ -75,35 +78,38 @@ public final class Pty implements AutoCloseable {
 
     /**
      * A pseudo-terminal under a fixed path, a symbolic link, which {@link #hangUp()} removes. It replaces a link left
-     * behind by an earlier simulator. Opening the same path again is like plugging the cable in again.
+     * behind by an earlier simulator, and nothing else. Opening the same path again is like plugging the cable in again.
      *
-     * @throws IOException if the system cannot create one, if the path is not a symbolic link, or if it belongs to a
-     *     running simulator
+     * @throws IOException if the system cannot create one, or if the path exists and is not a link to a pseudo-terminal
+     *     that is gone
      */
     public static Pty open(Path symlink) throws IOException {
         if (Files.exists(symlink, LinkOption.NOFOLLOW_LINKS) && !Files.isSymbolicLink(symlink)) {
             throw new IOException(symlink + " exists and is not a symbolic link; remove it or choose another path");
         }
-        Optional<Path> living = livingTarget(symlink);
-        if (living.isPresent()) {
-            throw new IOException(symlink + " is the port of a running simulator, " + living.get()
-                    + "; end that one or choose another path");
+        if (Files.isSymbolicLink(symlink)) {
+            Path target = Files.readSymbolicLink(symlink);
+            if (!TERMINAL.matcher(target.toString()).matches()) {
+                throw new IOException(symlink + " is a symbolic link to " + target
+                        + ", which no simulator made; remove it or choose another path");
+            }
+            if (isLiving(target, symlink)) {
+                throw new IOException(symlink + " is the port of a running simulator, " + target
+                        + "; end that one or choose another path");
+            }
         }
         return make(symlink);
     }
 
     /**
-     * The target of a link, if its terminal is still the one for which the link was made. The kernel reuses the paths
-     * of terminals that are gone; a terminal with a reused path is younger than the link.
+     * Whether a link's terminal is still the one for which the link was made. The kernel reuses the paths of terminals
+     * that are gone; a terminal with a reused path is younger than the link.
      */
-    private static Optional<Path> livingTarget(Path symlink) throws IOException {
+    private static boolean isLiving(Path terminal, Path symlink) throws IOException {
         try {
-            Path target = symlink.resolveSibling(Files.readSymbolicLink(symlink));
-            return target.startsWith("/dev/pts") && changed(target).compareTo(changed(symlink)) <= 0
-                    ? Optional.of(target)
-                    : Optional.empty();
-        } catch (NoSuchFileException noneOrDead) {
-            return Optional.empty();
+            return changed(terminal).compareTo(changed(symlink)) <= 0;
+        } catch (NoSuchFileException gone) {
+            return false;
         }
     }
 
@@ -165,11 +171,16 @@ public final class Pty implements AutoCloseable {
     }
 
     private static void point(Path symlink, Path slavePath) throws IOException {
-        Path fresh = symlink.resolveSibling(symlink.getFileName() + ".new");
         try {
-            Files.deleteIfExists(fresh);
-            Files.createSymbolicLink(fresh, slavePath);
-            Files.move(fresh, symlink, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+            if (Files.isSymbolicLink(symlink)
+                    && TERMINAL.matcher(Files.readSymbolicLink(symlink).toString())
+                            .matches()) {
+                Files.delete(symlink);
+            }
+            // Fails if something has taken the place meanwhile.
+            Files.createSymbolicLink(symlink, slavePath);
+        } catch (FileAlreadyExistsException taken) {
+            throw new IOException(symlink + " has just been made by another program; choose another path", taken);
         } catch (IOException failure) {
             throw new IOException(
                     "cannot make the symbolic link " + symlink + "; its folder must exist and be writable", failure);

@@ -32,6 +32,7 @@ class ModulePathTest {
                 String.join(":", place(NativeLibraries.class), place(NativeLibrary.class), place(SerialPort.class));
         Process program = new ProcessBuilder(List.of(
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "--enable-native-access=com.sun.jna,com.fazecast.jSerialComm," + MODULE,
                         "-p",
                         modules,
                         "--add-modules",

@@ -18,6 +18,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 @EnabledOnOs(OS.LINUX)
 @Timeout(20)
@@ -158,6 +160,29 @@ class PtyTest {
                 .isInstanceOf(IOException.class)
                 .hasMessage(precious + " exists and is not a symbolic link; remove it or choose another path");
         assertThat(precious).hasContent("precious");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"precious", "missing", "/dev/null", "/dev/ttyUSB0", "/dev/pts", "/dev/pts/../null"})
+    void aSymlinkToAnythingElseIsNotReplaced(String target) throws IOException {
+        Files.writeString(folder.resolve("precious"), "precious");
+        Path link = Files.createSymbolicLink(folder.resolve("device"), Path.of(target));
+        assertThatThrownBy(() -> Pty.open(link))
+                .isInstanceOf(IOException.class)
+                .hasMessage(link + " is a symbolic link to " + target
+                        + ", which no simulator made; remove it or choose another path");
+        assertThat(Files.readSymbolicLink(link)).isEqualTo(Path.of(target));
+        Files.delete(link);
+    }
+
+    @Test
+    void aLinkLeftBehindIsReplacedAndNothingBesideItIs() throws IOException {
+        Path neighbour = Files.writeString(folder.resolve("device.new"), "precious");
+        Path link = Files.createSymbolicLink(folder.resolve("device"), Path.of("/dev/pts/99999"));
+        try (Pty pty = Pty.open(link)) {
+            assertThat(Files.readSymbolicLink(link)).isEqualTo(pty.slavePath());
+        }
+        assertThat(neighbour).hasContent("precious");
     }
 
     @Test

@@ -39,7 +39,7 @@ final class Broadcast {
      *
      * @param number the number of the update, for the next call
      * @param status see {@link StatusJson}
-     * @param readings the readings of device and function, with units
+     * @param readings the readings of device and function with units, and the timers, for people
      * @param last the number of the last event that ended
      * @param events the events that are new to the viewer, oldest first, at most {@value #RECENT}
      */
@@ -198,6 +198,11 @@ final class Broadcast {
         return new JsonObject()
                 .putTexts("device", link == null ? List.of() : texts(link.readings()))
                 .putTexts("function", texts(status.function().readings()))
+                .putTexts(
+                        "timers",
+                        status.timers().stream()
+                                .map(ConverterStatus.RunningTimer::describe)
+                                .toList())
                 .toString();
     }
 

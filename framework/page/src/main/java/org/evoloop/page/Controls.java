@@ -61,6 +61,7 @@ final class Controls {
 
     private List<ConsoleCommand> buttons() {
         return console.addedCommands().stream()
+                .filter(ConsoleCommand::offered)
                 .filter(command -> arguments(command) == 0
                         || (arguments(command) == 1 && !choices(command).isEmpty()))
                 .toList();

@@ -4,7 +4,10 @@ import com.sun.net.httpserver.HttpExchange;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintStream;
+import java.net.InetAddress;
+import java.net.URI;
 import java.net.URLEncoder;
+import java.net.UnknownHostException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Objects;
@@ -82,12 +85,26 @@ public final class Page implements AutoCloseable {
         if (server != null) {
             page.serve(server);
             console.onEnd(reason -> page.close());
-            String shown = options.host().matches("0\\.0\\.0\\.0|\\[::]|\\[0:.*") ? "127.0.0.1" : options.host();
-            String address = "http://" + shown + ":" + server.port() + "/";
+            boolean everywhere = options.host().matches("0\\.0\\.0\\.0|\\[::]|\\[0:.*");
+            String address = address(everywhere ? "127.0.0.1" : options.host(), server.port());
+            console.shownAt(URI.create(everywhere ? address(machine(), server.port()) : address));
             announcements.println("page: " + address + " to look, " + address + "#token="
                     + server.gate().token() + " to control");
         }
         return page;
+    }
+
+    private static String address(String host, int port) {
+        return "http://" + host + ":" + port + "/";
+    }
+
+    /** The name under which others reach this machine. */
+    private static String machine() {
+        try {
+            return InetAddress.getLocalHost().getHostName();
+        } catch (UnknownHostException nameless) {
+            return "localhost";
+        }
     }
 
     private void serve(PageServer to) {

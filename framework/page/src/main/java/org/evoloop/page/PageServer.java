@@ -23,15 +23,15 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Serves a page, to at most {@value #MOST_VIEWERS} viewers and {@value #MOST_REQUESTS} other requests at once. It
- * closes the connection of any further client, of a request that is incomplete after {@value #REQUEST_SECONDS} s, and
- * of a client that does not take its answer.
+ * closes the connection of any further client, of a request that is incomplete after {@value #REQUEST_SECONDS} s, or
+ * earlier if its thread is needed, and of a client that does not take its answer.
  *
  * <p>Threading: thread-safe. Each request has a thread while it is handled; without requests, there are only the
  * two waiting threads of the JDK's server.
  */
 final class PageServer implements AutoCloseable {
     static final int MOST_VIEWERS = 16;
-    static final int MOST_REQUESTS = 16;
+    static final int MOST_REQUESTS = 32;
 
     private static final int LONGEST_REQUEST = 4096;
     private static final int REQUEST_SECONDS = 10;
@@ -57,7 +57,8 @@ final class PageServer implements AutoCloseable {
         settings.putIfAbsent("sun.net.httpserver.nodelay", "true");
         settings.putIfAbsent("sun.net.httpserver.idleInterval", Integer.toString(REQUEST_SECONDS));
         settings.putIfAbsent("sun.net.httpserver.clockTick", "1000");
-        settings.putIfAbsent("jdk.httpserver.maxConnections", "64");
+        // A connection without a request costs no thread; many of them must not keep others from connecting.
+        settings.putIfAbsent("jdk.httpserver.maxConnections", "512");
         threads = new RequestThreads(
                 "evoloop-page", MOST_VIEWERS + MOST_REQUESTS, Duration.ofSeconds(REQUEST_SECONDS), clock);
         try {
@@ -145,13 +146,13 @@ final class PageServer implements AutoCloseable {
             try (exchange) {
                 InputStream request = exchange.getRequestBody();
                 byte[] body = request.readNBytes(LONGEST_REQUEST + 1);
+                threads.limit(ANSWER_LIMIT);
                 String objection = gate.objection(exchange);
                 if (objection != null) {
                     Answer.text(exchange, Answer.TURNED_AWAY, objection);
                 } else if (body.length > LONGEST_REQUEST) {
                     Answer.text(exchange, Answer.TOO_LARGE, "a request has at most " + LONGEST_REQUEST + " bytes");
                 } else {
-                    threads.limit(ANSWER_LIMIT);
                     exchange.setStreams(new ByteArrayInputStream(body), null);
                     answer(exchange, path, handler);
                 }

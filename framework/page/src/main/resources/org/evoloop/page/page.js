@@ -185,6 +185,7 @@ function showStatus() {
     ['Violated', violated ? `${violated.event.slice('violation of '.length)}, ${new Date(violated.at).toLocaleString()}` : '', 'bad'],
     ['Conversion', conversionTime.events ? `last ${duration(conversionTime.lastNanos)}, median ${duration(conversionTime.medianNanos)}, 99th percentile ${duration(conversionTime.percentile99Nanos)}` : 'none yet'],
     ['Function', running.state ? [running.state, running.progress, ...readings.function].filter(Boolean).join(', ') : 'none'],
+    ['Timers', readings.timers.join(', ')],
     ['Link', link ? `${link.up ? 'up' : 'DOWN'}${link.text ? `, ${link.text}` : ''}` : '', link && !link.up ? 'bad' : 'good'],
     ['Device', link && !link.up ? 'unknown' : readings.device.join(', ')],
     ...faults.map(fault => ['Fault', `${fault.part}: ${plural(fault.failures, 'failure')}, the last: ${fault.lastFailure}`, 'bad']),

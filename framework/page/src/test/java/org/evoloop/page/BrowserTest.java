@@ -102,6 +102,16 @@ class BrowserTest {
     }
 
     @Test
+    void theRemainingTimeOfTheStatesTimerRunsDown() {
+        shown.converter.start();
+        browser.open(shown.address() + "/");
+        for (int press = 0; press < 3; press++) {
+            shown.panel.press("Clean");
+        }
+        browser.await("document.getElementById('status').innerText.includes('timeout in 9 min 5')");
+    }
+
+    @Test
     void noOtherHostIsRequestedAndNoErrorIsLogged() {
         shown.converter.start();
         browser.open(shown.address() + "/");

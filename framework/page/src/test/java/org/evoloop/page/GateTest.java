@@ -3,8 +3,11 @@ package org.evoloop.page;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.net.Socket;
+import java.net.URI;
 import java.nio.charset.StandardCharsets;
+import org.evoloop.console.Console;
 import org.evoloop.loop.LoopState;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -59,7 +62,19 @@ class GateTest {
         assertThat(shown.converter.status().loop()).isEqualTo(LoopState.RUNNING);
         assertThat(ask("GET", "/controls", "", "Host: " + own(), cookie))
                 .contains("\"name\":\"press\"", "\"choices\":[\"Clean\",\"Spot\"]", "\"spares\":[\"Robot2\"]")
-                .doesNotContain("is no button");
+                .doesNotContain("is no button", "endSpot");
+    }
+
+    @Test
+    void othersAreToldTheAddressToLook() throws IOException {
+        assertThat(shown.console.page()).contains(URI.create(shown.address() + "/"));
+        Console everywhere = new Console(shown.converter, InputStream.nullInputStream(), System.out, System.err);
+        try (Page page = Page.open(PageOptions.at("0.0.0.0:0"), everywhere, System.err)) {
+            assertThat(everywhere.page())
+                    .hasValueSatisfying(address -> assertThat(address.getAuthority())
+                            .endsWith(":" + page.port())
+                            .doesNotStartWith("0.0.0.0"));
+        }
     }
 
     @Test
@@ -127,7 +142,8 @@ class GateTest {
         }
         assertThat(ask("GET", "/about", "", "Host: localhost:" + shown.page.port()))
                 .startsWith("HTTP/1.1 200");
-        assertThat(ask("GET", "/about", "", "X-No: host")).startsWith("HTTP/1.1 403");
+        // Newer JDKs' servers refuse it themselves, with 400.
+        assertThat(ask("GET", "/about", "", "X-No: host")).matches("(?s)HTTP/1\\.1 40[03] .*");
     }
 
     @ParameterizedTest

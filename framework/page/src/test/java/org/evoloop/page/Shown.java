@@ -77,6 +77,9 @@ final class Shown implements AutoCloseable {
         console.addCommand(
                 ConsoleCommand.of("press BUTTON", "presses a button", (words, out) -> panel.press(words.get(0)))
                         .completing(before -> before.isEmpty() ? List.of("Clean", "Spot") : List.of()));
+        console.addCommand(ConsoleCommand.of("device EVENT", "is no button", (words, out) -> panel.acts(words.get(0)))
+                .completing(before -> List.of("endSpot"))
+                .notOffered());
         console.addCommand(ConsoleCommand.of("robot COMMAND [X]", "is no button", (words, out) -> out.println("no")));
         ByteArrayOutputStream printed = new ByteArrayOutputStream();
         page = Page.open(

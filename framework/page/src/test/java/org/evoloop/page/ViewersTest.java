@@ -11,12 +11,14 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.net.Socket;
 import java.net.SocketException;
+import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import org.awaitility.Awaitility;
+import org.evoloop.HalfRequests;
 import org.evoloop.time.SystemClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -185,6 +187,22 @@ class ViewersTest {
         }
         assertThat(ask("GET /about HTTP/1.1\r\nHost: localhost\r\n\r\n").lines.readLine())
                 .isEqualTo("HTTP/1.1 200 OK");
+    }
+
+    /** Neither half headers, nor half bodies, nor connections on which nothing is sent. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {"GET /about HTTP/1.1\r\nHost: loc", "POST /session HTTP/1.1\r\nContent-Length: 5\r\n\r\nab", ""})
+    void clientsThatKeepOpeningHalfRequestsLockNobodyOut(String half) throws Exception {
+        Viewer before = look();
+        before.next();
+        try (HalfRequests clients = new HalfRequests(shown.page.port(), half)) {
+            assertThat(HalfRequests.slowestOf(URI.create("http://127.0.0.1:" + shown.page.port() + "/about")))
+                    .isLessThan(Duration.ofSeconds(5));
+            look().next();
+            shown.panel.press("Clean");
+            before.next();
+        }
     }
 
     @ParameterizedTest

@@ -21,7 +21,7 @@ import org.slf4j.LoggerFactory;
  * has been none for {@link #LIMIT}. This process detects that by its own clock, a little earlier: from then on {@link
  * #maySend} is false, so that a process that continues after a standstill sends the device nothing decided before.
  *
- * <p>A guard process that ends or hangs is replaced.
+ * <p>A guard process that ends, or that does not answer while the device is active, is replaced within a second.
  *
  * <p>Threading: thread-safe. Runs its own thread, in real time.
  *
@@ -41,20 +41,30 @@ public final class DeviceGuard implements AutoCloseable {
     /** After a command, a device counts as active for this long, whatever it reports. */
     private static final long SENDING_NANOS = Duration.ofSeconds(1).toNanos();
 
-    /** A guard process that has not answered for this long is replaced. */
-    private static final long ANSWER_NANOS = Duration.ofSeconds(5).toNanos();
+    /**
+     * A guard process that leaves this many heartbeats unanswered is replaced. Heartbeats are counted, since time in
+     * which this process does not run is not the guard process's fault.
+     */
+    private static final int UNANSWERED_BEATS = 5;
+
+    /** The same for one that has not answered yet, which may be slow to start on a busy computer. */
+    private static final int UNANSWERED_BEATS_AT_START = 50;
 
     private static final long RESTART_NANOS = Duration.ofSeconds(1).toNanos();
 
-    private static final Pattern ACTED = Pattern.compile("(?:safe|failed) (\\d+)");
+    private static final Pattern ANSWER = Pattern.compile("(on|safe|failed) (\\d+)");
 
     private final GuardedDevice device;
     private final Thread thread;
     private GuardProcess process;
     private long startedNanos = System.nanoTime();
-    private long answeredNanos = startedNanos;
     private boolean watching;
     private long beats;
+
+    /** The last beat before the process was started, and the last one that counts as answered. */
+    private long startedBeat;
+
+    private long answeredBeat;
 
     /** The first beat since the device became active. */
     private long firstBeat;
@@ -111,6 +121,11 @@ public final class DeviceGuard implements AutoCloseable {
         return process.isAlive() ? "guarded by process " + process.pid() : "NOT guarded: the guard process has ended";
     }
 
+    /** Whether the guard process has answered since its start. */
+    synchronized boolean isAnswered() {
+        return answeredBeat > startedBeat;
+    }
+
     private void run() {
         long next = System.nanoTime();
         while (!closed) {
@@ -157,7 +172,6 @@ public final class DeviceGuard implements AutoCloseable {
         if (!watching) {
             watching = true;
             firstBeat = beats;
-            answeredNanos = now;
         }
         // Taken before the beat is written, since this process may be stopped in between; then the guard has not
         // received it.
@@ -183,23 +197,28 @@ public final class DeviceGuard implements AutoCloseable {
     }
 
     private synchronized void heard(String line) {
-        long now = System.nanoTime();
-        answeredNanos = now;
-        Matcher acted = ACTED.matcher(line);
-        boolean news = watching && acted.matches() && Long.parseLong(acted.group(1)) >= firstBeat;
-        if (news && !expire(now)) {
+        Matcher answer = ANSWER.matcher(line);
+        if (!answer.matches()) {
+            return;
+        }
+        long beat = Long.parseLong(answer.group(2));
+        answeredBeat = Math.max(answeredBeat, beat);
+        boolean acted = !answer.group(1).equals("on") && watching && beat >= firstBeat;
+        if (acted && !expire(System.nanoTime())) {
             expired = "the guard process got no sign of life from this program in time, so the device was put into a "
                     + "safe state";
         }
     }
 
     private void replaceIfUseless(long now) {
-        boolean hung = watching && now - answeredNanos > ANSWER_NANOS;
+        int patience = isAnswered() ? UNANSWERED_BEATS : UNANSWERED_BEATS_AT_START;
+        boolean hung = beats - answeredBeat >= patience;
         if ((process.isAlive() && !hung) || now - startedNanos < RESTART_NANOS) {
             return;
         }
         startedNanos = now;
-        answeredNanos = now;
+        startedBeat = beats;
+        answeredBeat = beats;
         try {
             process.kill();
             process = begin();

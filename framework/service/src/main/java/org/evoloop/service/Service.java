@@ -91,7 +91,14 @@ public final class Service implements AutoCloseable {
             // In case the process ends without close().
             Runtime.getRuntime().addShutdownHook(new Thread(() -> remove(own), "evoloop-control-removal"));
         }
-        try (ServiceManager manager = new ServiceManager(environment, console, clock, options.start())) {
+        String command = options.onTrouble();
+        try (ServiceManager manager = new ServiceManager(environment, console, clock, options.start());
+                TroubleHook hook = command == null
+                        ? null
+                        : new TroubleHook(command, console.converters(), clock, TroubleHook.LIMIT)) {
+            if (hook != null) {
+                console.onBegin(hook::start);
+            }
             if (options.start()) {
                 console.outliveInput();
                 console.onBegin(() -> console.converters().forEach(SystemEventConverter::start));

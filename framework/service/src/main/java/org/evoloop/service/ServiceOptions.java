@@ -16,10 +16,15 @@ import org.jspecify.annotations.Nullable;
  * @param name the name under which {@code ctl} reaches it; null if it has no control socket
  * @param journal the directory in which its converter keeps its journal; null if it keeps none
  * @param pressAge how old a press may be when its turn comes
+ * @param onTrouble the command of the POSIX shell that is run when something has gone wrong; null for none
  * @since 0.1
  */
 public record ServiceOptions(
-        boolean start, @Nullable String name, @Nullable Path journal, Duration pressAge) {
+        boolean start,
+        @Nullable String name,
+        @Nullable Path journal,
+        Duration pressAge,
+        @Nullable String onTrouble) {
     private static final String USUAL_PRESS_AGE = "10";
 
     private static final Option<Boolean> START =
@@ -43,8 +48,20 @@ public record ServiceOptions(
                     ServiceOptions::seconds)
             .withDefault(USUAL_PRESS_AGE);
 
+    private static final Option<String> ON_TROUBLE = Option.value(
+            "on-trouble",
+            "COMMAND",
+            "Runs this shell command when something has gone wrong, with the words in EVOLOOP_TROUBLE (default: nothing "
+                    + "is run).",
+            command -> {
+                if (command.isBlank()) {
+                    throw new IllegalArgumentException("the command is empty; leave the option out to run nothing");
+                }
+                return command;
+            });
+
     /** The options of a program. */
-    public static final Options OPTIONS = Options.of(START, NAME, JOURNAL, PRESS_AGE);
+    public static final Options OPTIONS = Options.of(START, NAME, JOURNAL, PRESS_AGE, ON_TROUBLE);
 
     /**
      * Options of these values.
@@ -65,9 +82,12 @@ public record ServiceOptions(
         return Duration.ofMillis(Math.round(seconds * 1000));
     }
 
-    /** The options of an ordinary program with a console, which are the defaults: no start, no control socket, no journal. */
+    /**
+     * The options of an ordinary program with a console: no automatic start, no control socket, no journal,
+     * and nothing that is run on trouble.
+     */
     public static ServiceOptions none() {
-        return new ServiceOptions(false, null, null, seconds(USUAL_PRESS_AGE));
+        return new ServiceOptions(false, null, null, seconds(USUAL_PRESS_AGE), null);
     }
 
     /** The options given to a program. */
@@ -76,12 +96,13 @@ public record ServiceOptions(
                 settings.isOn(START),
                 settings.get(NAME).orElse(null),
                 settings.get(JOURNAL).orElse(null),
-                settings.get(PRESS_AGE).orElseThrow());
+                settings.get(PRESS_AGE).orElseThrow(),
+                settings.get(ON_TROUBLE).orElse(null));
     }
 
     /** A copy for a program that opens its loop at once, and continues when its standard input ends. */
     public ServiceOptions withStart() {
-        return new ServiceOptions(true, name, journal, pressAge);
+        return new ServiceOptions(true, name, journal, pressAge, onTrouble);
     }
 
     /**
@@ -90,6 +111,6 @@ public record ServiceOptions(
      * @throws IllegalArgumentException if it is not a name
      */
     public ServiceOptions withName(String instance) {
-        return new ServiceOptions(start, instance, journal, pressAge);
+        return new ServiceOptions(start, instance, journal, pressAge, onTrouble);
     }
 }

@@ -114,6 +114,24 @@ class DeviceGuardTest {
     }
 
     @Test
+    void aGuardProcessThatIsFrozenIsReplacedWhileTheDeviceIsActive() throws Exception {
+        Device device = new Device();
+        device.active = true;
+        try (DeviceGuard guard = DeviceGuard.start(device)) {
+            ProcessHandle first = processOf(guard);
+            // A process that has just started may take longer.
+            await().until(guard::isAnswered);
+            assertThat(new ProcessBuilder("bash", "-c", "kill -STOP " + first.pid())
+                            .start()
+                            .waitFor())
+                    .isZero();
+            // Within a second; a busy computer gets some more.
+            first.onExit().get(4, TimeUnit.SECONDS);
+            await().until(() -> !guard.describe().endsWith(" " + first.pid()) && guard.isAnswered());
+        }
+    }
+
+    @Test
     void whatCannotBeDoneAtOnceIsTriedAgain() throws IOException, InterruptedException {
         Path port = folder.resolve("port");
         Process guard = new ProcessBuilder(

@@ -50,6 +50,7 @@ final class ActiveStates {
         }
         List<Integer> leaves = new ArrayList<>();
         net.tops().forEach(top -> leaves(top, leaves));
+        requireComplete();
         List<Integer> written = new ArrayList<>();
         memory.forEach((zone, vertices) -> {
             written.add(zone);
@@ -59,6 +60,21 @@ final class ActiveStates {
             }
         });
         return new Snapshot(ints(leaves), ints(written), ints(done));
+    }
+
+    /** Whatever is drawn, a stable machine is in one state of each region of each active state. */
+    private void requireComplete() {
+        net.tops().forEach(this::requireActive);
+        all().forEach(node -> node.zones.forEach(this::requireActive));
+    }
+
+    private void requireActive(Zone zone) {
+        if (!active.containsKey(zone)) {
+            throw new Refused(
+                    zone.region.place(),
+                    "the machine would be in no state of " + zone,
+                    "draw the transitions into it to its states");
+        }
     }
 
     private static int[] ints(Collection<Integer> numbers) {
@@ -124,13 +140,16 @@ final class ActiveStates {
                 });
     }
 
-    /** Remembers the active vertices of a region that is about to be left, if it has a history. */
+    /**
+     * Remembers the active vertices of a region that is about to be left, if it has a history. UML forgets a region that
+     * has reached its final state, SCXML does not.
+     */
     void remember(Zone zone) {
         Node node = active.get(zone);
         if (!zone.hasHistory || node == null) {
             return;
         }
-        if (node.isFinal()) {
+        if (node.isFinal() && !net.isScxml()) {
             memory.remove(zone.index);
         } else if (zone.nodes.stream().anyMatch(history -> history.is(Kind.DEEP_HISTORY))) {
             List<Integer> leaves = new ArrayList<>();

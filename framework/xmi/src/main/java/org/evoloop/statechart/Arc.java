@@ -14,6 +14,7 @@ import java.util.List;
  * @param guard text of the condition; empty for none, {@code else} for the remaining branch
  * @param effects behaviors that run when it is taken, in order
  * @param spontaneous the triggers marked as raised by the device itself, see {@link Spontaneous}
+ * @param order of the transitions of a state, in which SCXML tries them; 0 in UML
  * @since 0.1
  */
 public record Arc(
@@ -24,7 +25,8 @@ public record Arc(
         String guard,
         List<String> effects,
         Kind kind,
-        List<String> spontaneous) {
+        List<String> spontaneous,
+        int order) {
     public Arc {
         triggers = List.copyOf(triggers);
         effects = List.copyOf(effects);
@@ -40,7 +42,29 @@ public record Arc(
             String guard,
             List<String> effects,
             Kind kind) {
-        this(place, source, target, Spontaneous.unmarked(drawn), guard, effects, kind, Spontaneous.marked(drawn));
+        this(place, source, target, drawn, guard, effects, kind, 0);
+    }
+
+    /** @param drawn the triggers, with the keyword {@link Spontaneous} before those that the device raises itself */
+    public Arc(
+            Place place,
+            String source,
+            String target,
+            List<String> drawn,
+            String guard,
+            List<String> effects,
+            Kind kind,
+            int order) {
+        this(
+                place,
+                source,
+                target,
+                Spontaneous.unmarked(drawn),
+                guard,
+                effects,
+                kind,
+                Spontaneous.marked(drawn),
+                order);
     }
 
     /** What a transition does with its source state. */

@@ -83,9 +83,17 @@ final class Body {
         return exited;
     }
 
-    /** The innermost region that contains everything a transition changes. For a join, all its transitions count. */
+    /**
+     * The innermost region that contains everything a transition changes. For a join or a fork, all its transitions
+     * count, wherever it is drawn.
+     */
     private static Zone domain(Link link) {
         Zone domain = requireNonNull(link.domain());
+        if (link.target.is(Kind.FORK)) {
+            for (Link branch : link.target.outgoing) {
+                domain = requireNonNull(Zone.common(domain, branch.target.zone));
+            }
+        }
         if (link.target.is(Kind.JOIN)) {
             for (Link other : link.target.incoming) {
                 domain = requireNonNull(Zone.common(domain, requireNonNull(other.domain())));
@@ -151,9 +159,13 @@ final class Body {
         } else if (node.isTarget()) {
             enter(domain, explicit(domain, List.of(node)));
         } else if (node.is(Kind.FORK)) {
-            split(node);
+            enter(domain, explicit(domain, branches(node)));
         } else if (node.is(Kind.ENTRY_POINT)) {
             open(domain, node.border, opened);
+            if (node.isSplit()) {
+                Map<Zone, Node> inside = explicit(domain, branches(node));
+                requireNonNull(node.border).zones.forEach(zone -> enter(zone, inside));
+            }
         } else if (node.is(Kind.EXIT_POINT)) {
             leave(node.border);
         } else if (!node.is(Kind.JOIN)) {
@@ -161,16 +173,15 @@ final class Body {
         }
     }
 
-    private void split(Node fork) {
-        Zone domain = fork.zone;
+    /** Takes all transitions of a fork; returns their targets. */
+    private List<Node> branches(Node fork) {
         List<Node> targets = new ArrayList<>();
         for (Link link : fork.outgoing) {
             used.add(link);
-            domain = requireNonNull(Zone.common(domain, link.target.zone));
+            effects.addAll(link.arc.effects());
             targets.add(link.target);
         }
-        fork.outgoing.forEach(link -> effects.addAll(link.arc.effects()));
-        enter(domain, explicit(domain, targets));
+        return targets;
     }
 
     /** Enters states from the outside in, but not the contents of their regions. */
@@ -296,7 +307,7 @@ final class Body {
         }
         for (Link part : path) {
             requireInside(zone, part);
-            if (part.target.is(Kind.FORK)) {
+            if (part.target.isSplit()) {
                 part.target.outgoing.forEach(branch -> requireInside(zone, branch));
             }
         }

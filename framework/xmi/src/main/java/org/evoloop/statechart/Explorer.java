@@ -50,6 +50,9 @@ final class Explorer {
     private final @Nullable SizeEstimate tooLarge;
 
     private long tried;
+    /** Whether the states explored now cannot be reached. */
+    private boolean unreachable;
+
     private final BitSet visited = new BitSet();
     private final BitSet used = new BitSet();
     private int explored;
@@ -160,15 +163,24 @@ final class Explorer {
 
     /** States that are never entered still belong to the model; the checks report them. */
     private void visitUnreachable() {
+        unreachable = true;
         for (Node node : net.nodes()) {
             if (!visited.get(node.index) && node.isState() && node.zones.isEmpty()) {
-                for (Case one : cases(step -> step.startIn(node))) {
-                    if (one.outcome() != null) {
-                        found(one.outcome());
-                    }
-                }
+                visit(node);
                 exploreAll();
             }
+        }
+    }
+
+    private void visit(Node unreached) {
+        try {
+            for (Case one : cases(step -> step.startIn(unreached))) {
+                if (one.outcome() != null) {
+                    found(one.outcome());
+                }
+            }
+        } catch (Refused refused) {
+            add(refused);
         }
     }
 
@@ -194,6 +206,9 @@ final class Explorer {
             boolean plain = PlainSteps.isPlain(link);
             List<String> triggers = link.arc.triggers();
             for (int i = 0; i < triggers.size(); i++) {
+                if (net.isRaised(triggers.get(i))) {
+                    continue;
+                }
                 Cause cause = cause(triggers.get(i), node);
                 if (plain) {
                     take(link);
@@ -252,6 +267,12 @@ final class Explorer {
         try {
             moves.addAll(steps(state, cause));
         } catch (Refused refused) {
+            add(refused);
+        }
+    }
+
+    private void add(Refused refused) {
+        if (!unreachable || !refused.onlyWhenReached()) {
             problems.add(refused.problem());
         }
     }
@@ -331,7 +352,7 @@ final class Explorer {
         Guards guards = new Guards();
         List<Case> cases = new ArrayList<>();
         do {
-            Step step = new Step(net, guards);
+            Step step = Step.of(net, guards);
             Outcome outcome = run.apply(step);
             cases.add(new Case(guards.held(), outcome, outcome == null && step.isDeferring()));
             if (cases.size() > MAX_CASES) {
@@ -354,7 +375,9 @@ final class Explorer {
             }
             for (Node node = net.node(leaf); node != null && seen.add(node); node = node.zone.owner) {
                 for (String trigger : node.triggers()) {
-                    add(cause(trigger, node), node, causes);
+                    if (!net.isRaised(trigger)) {
+                        add(cause(trigger, node), node, causes);
+                    }
                 }
                 for (String event : node.deferred()) {
                     add(cause(event, node), node, causes);
@@ -377,9 +400,9 @@ final class Explorer {
                 : events.computeIfAbsent(trigger, name -> new Cause(Cause.Kind.EVENT, name, null));
     }
 
-    /** Whether the state has completion transitions that wait for the end of its do activity. */
-    private static boolean awaitsActivity(Node node) {
-        return node.wantsCompletion() && !node.activities().isEmpty();
+    /** Whether the state has completion transitions that wait for the end of its do activity, as in UML. */
+    private boolean awaitsActivity(Node node) {
+        return !net.isScxml() && node.wantsCompletion() && !node.activities().isEmpty();
     }
 
     private static boolean isDone(Snapshot state, Node node) {

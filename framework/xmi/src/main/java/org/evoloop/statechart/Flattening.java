@@ -13,7 +13,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * A statechart and its equivalent flat machine (Harel, "Statecharts", 1987; UML 2.5.1, clause 14.2.3). The flat machine
  * accepts the same events and runs the same behaviors in the same order. Its states are the stable state configurations
- * of the drawn machine, with what is remembered for histories. Where UML leaves a choice:
+ * of the drawn machine, with what is remembered for histories. A chart of {@linkplain Statechart.Semantics#SCXML SCXML}
+ * follows the algorithm of SCXML 1.0 (appendix D), except that each guard is evaluated once, when the event occurs. A
+ * chart of UML follows UML; where UML leaves a choice:
  *
  * <ul>
  *   <li>Guards are evaluated when the event occurs, each of them once, including those after a choice. A path without
@@ -21,7 +23,12 @@ import org.jspecify.annotations.Nullable;
  *       drawing order, then the one without a guard, then {@code [else]}.
  *   <li>An event goes to the innermost state that has a transition for it; enclosing states do not see it. All
  *       orthogonal regions see it, in drawing order, and are left and entered in that order.
- *   <li>Each segment of a transition through pseudostates leaves and enters the states between its two ends. A history
+ *   <li>Of transitions in different regions of which only one can be taken (both leave the same state, or one leaves the
+ *       state in which the other is internal), the first is taken if one of them has a
+ *       guard. Otherwise it is a problem, unless the outcome is the same whichever is taken, or the machine never comes
+ *       there.
+ *   <li>Each segment of a transition through pseudostates leaves and enters the states between its two ends. A fork has
+ *       no place of its own: it is one segment with the transitions after it. A history
  *       remembers its region when the enclosing state is left; the memory of a region in its final state is cleared.
  *   <li>A guard on the only transition of an initial pseudostate, or on the default transition of a history, is not
  *       evaluated, since nothing else could be entered.

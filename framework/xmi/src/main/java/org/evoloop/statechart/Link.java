@@ -12,7 +12,7 @@ final class Link {
     final Node target;
 
     /**
-     * Whether it leads from a state to a state of the same region, without a guard or a keyword. Most transitions do,
+     * Whether it leads from a state to a state of the same region, without a guard or a keyword, and leaves only that. Most transitions do,
      * and since few rules apply to them, neither end needs to be examined again.
      */
     final boolean simple;
@@ -25,6 +25,7 @@ final class Link {
         this.simple = source.isState()
                 && target.isState()
                 && source.zone == target.zone
+                && !source.zone.ofParallel
                 && arc.kind() == Arc.Kind.EXTERNAL
                 && arc.guard().isEmpty();
     }

@@ -12,6 +12,7 @@ import java.util.Set;
  * @param triggers the events on transitions
  * @param timeTriggers the timer events
  * @param spontaneous the events drawn as raised by the device itself
+ * @param raised the events that the machine raises itself, so that nobody else does: {@code done.state.KEY}
  * @param isCalm whether no timers and no do activities run while the machine is stable
  */
 record Net(
@@ -22,7 +23,18 @@ record Net(
         Set<String> triggers,
         Set<String> timeTriggers,
         Set<String> spontaneous,
+        Set<String> raised,
         boolean isCalm) {
+    /** Whether it follows SCXML, otherwise UML. */
+    boolean isScxml() {
+        return chart.semantics() == Statechart.Semantics.SCXML;
+    }
+
+    /** Whether the machine raises an event itself. */
+    boolean isRaised(String trigger) {
+        return !raised.isEmpty() && raised.contains(trigger);
+    }
+
     /** Whether an event is raised by a timer. */
     boolean isTime(String trigger) {
         return !timeTriggers.isEmpty() && timeTriggers.contains(trigger);

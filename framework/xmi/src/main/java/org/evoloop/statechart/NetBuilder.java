@@ -2,6 +2,7 @@ package org.evoloop.statechart;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -61,13 +62,23 @@ final class NetBuilder {
         }
         connect();
         Map<String, Node> named = new HashMap<>();
-        nodes.forEach(node -> node.arrange(named));
+        boolean scxml = chart.semantics() == Statechart.Semantics.SCXML;
+        Comparator<Link> order = Comparator.comparingInt(scxml ? link -> link.arc.order() : Link::rank);
+        nodes.forEach(node -> node.arrange(order, named));
+        Set<String> raised = new HashSet<>();
+        if (scxml) {
+            nodes.stream()
+                    .filter(node -> !node.zones.isEmpty())
+                    .map(Node::doneEvent)
+                    .filter(named::containsKey)
+                    .forEach(raised::add);
+        }
         Set<String> timeTriggers = new HashSet<>(named.keySet());
         nodes.forEach(node -> timeTriggers.addAll(node.deferred()));
         timeTriggers.removeIf(name -> !isTime(name));
         boolean calm = timeTriggers.isEmpty()
                 && nodes.stream().allMatch(node -> node.activities().isEmpty());
-        return new Net(chart, tops, nodes, links, named.keySet(), timeTriggers, spontaneous, calm);
+        return new Net(chart, tops, nodes, links, named.keySet(), timeTriggers, spontaneous, raised, calm);
     }
 
     static boolean isTime(String trigger) {
@@ -90,7 +101,9 @@ final class NetBuilder {
         if (region.vertices().isEmpty()) {
             return;
         }
-        Zone zone = new Zone(region, owner, zones++);
+        boolean ofParallel = chart.semantics() == Statechart.Semantics.SCXML
+                && !region.name().isEmpty();
+        Zone zone = new Zone(region, owner, zones++, ofParallel);
         if (zone.depth > MAX_DEPTH) {
             problems.add(new Problem(
                     region.place(), "states are nested deeper than " + MAX_DEPTH, "draw a machine of fewer levels"));

@@ -17,6 +17,9 @@ import org.jspecify.annotations.Nullable;
 
 /** A vertex, connected to its neighbors. Written only by {@link NetBuilder}. */
 final class Node {
+    /** How the events begin that SCXML raises when a state is done. */
+    static final String DONE = "done.state.";
+
     final Vertex vertex;
     /** In document order, outer vertices before inner ones. */
     final int index;
@@ -62,8 +65,9 @@ final class Node {
         this.border = border;
         ChartState drawn = vertex instanceof ChartState some ? some : null;
         this.state = drawn != null;
-        this.entry = drawn == null ? List.of() : drawn.entry();
-        this.exit = drawn == null ? List.of() : drawn.exit();
+        FinalState end = vertex instanceof FinalState some ? some : null;
+        this.entry = drawn != null ? drawn.entry() : end != null ? end.entry() : List.of();
+        this.exit = drawn != null ? drawn.exit() : end != null ? end.exit() : List.of();
         this.activities = drawn == null ? List.of() : drawn.doActivities();
         this.deferred = drawn == null ? List.of() : drawn.deferred();
         this.kind = vertex instanceof Pseudostate pseudostate ? pseudostate.kind() : null;
@@ -91,12 +95,13 @@ final class Node {
     /**
      * Sorts its outgoing transitions.
      *
+     * @param order in which they are tried
      * @param named the last vertex that used each trigger
      */
-    void arrange(Map<String, Node> named) {
-        // Simple ones have the same rank.
+    void arrange(Comparator<Link> order, Map<String, Node> named) {
+        // Simple ones are drawn in their order.
         if (!onlySimple) {
-            outgoing.sort(Comparator.comparingInt(Link::rank));
+            outgoing.sort(order);
         }
         for (Link link : outgoing) {
             if (link.arc.triggers().isEmpty()) {
@@ -172,6 +177,11 @@ final class Node {
         return kind == wanted;
     }
 
+    /** Whether a path of transitions goes on from it into several regions. */
+    boolean isSplit() {
+        return is(Kind.FORK) || (is(Kind.ENTRY_POINT) && outgoing.size() > 1);
+    }
+
     boolean isHistory() {
         return is(Kind.SHALLOW_HISTORY) || is(Kind.DEEP_HISTORY);
     }
@@ -196,6 +206,16 @@ final class Node {
     /** The events deferred while it is active. */
     List<String> deferred() {
         return deferred;
+    }
+
+    /** Whether it is a parallel state of SCXML, even of one child. */
+    boolean isParallel() {
+        return !zones.isEmpty() && zones.get(0).ofParallel;
+    }
+
+    /** The event that SCXML raises when it is done. */
+    String doneEvent() {
+        return DONE + vertex.key();
     }
 
     /** Whether it has completion transitions. */

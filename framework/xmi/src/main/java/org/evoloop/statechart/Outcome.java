@@ -13,6 +13,14 @@ import java.util.Set;
  * @param used the transitions that were taken
  */
 record Outcome(Snapshot target, List<String> effects, Set<Node> left, Set<Node> entered, Set<Link> used) {
+    /** Whether the machine does the same, though by other transitions. */
+    boolean isLike(Outcome other) {
+        return target.equals(other.target)
+                && effects.equals(other.effects)
+                && left.equals(other.left)
+                && still() == other.still();
+    }
+
     /** Whether nothing was left or entered. */
     boolean still() {
         return left.isEmpty() && entered.isEmpty();

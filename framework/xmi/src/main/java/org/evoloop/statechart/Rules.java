@@ -126,8 +126,13 @@ final class Rules {
             refuse(node, node + " stands on no state", "draw it on the border of a composite state");
         } else {
             // An entry point without a transition enters its state by default.
-            if (node.is(Kind.EXIT_POINT) || !node.outgoing.isEmpty()) {
+            if (node.is(Kind.EXIT_POINT)) {
                 requireOne(node);
+            } else if (node.isSplit()) {
+                fork(node);
+                node.outgoing.stream()
+                        .filter(link -> !node.border.holds(link.target))
+                        .forEach(link -> refuse(link.arc.place(), link + " leads out", "end it inside the state"));
             }
             node.outgoing.forEach(link -> refuseGuard(link, "draw a choice behind it"));
         }

@@ -24,7 +24,12 @@ public final class TimeUnits {
      */
     public static Statechart add(Statechart chart, ChronoUnit unit) {
         TimeUnits units = new TimeUnits(unit);
-        return new Statechart(chart.name(), chart.place(), units.regions(chart.regions()), units.names(chart.events()));
+        return new Statechart(
+                chart.name(),
+                chart.place(),
+                units.regions(chart.regions()),
+                units.names(chart.events()),
+                chart.semantics());
     }
 
     private List<Region> regions(List<Region> regions) {
@@ -62,7 +67,9 @@ public final class TimeUnits {
                         names(arc.triggers()),
                         arc.guard(),
                         arc.effects(),
-                        arc.kind()))
+                        arc.kind(),
+                        names(arc.spontaneous()),
+                        arc.order()))
                 .toList();
     }
 

@@ -62,8 +62,23 @@ public sealed interface Vertex {
     /** A vertex that transitions pass through; {@link Kind#TERMINATE} ends the machine. */
     record Pseudostate(String key, String name, Place place, Kind kind) implements Vertex {}
 
-    /** The end of a region. */
-    record FinalState(String key, String name, Place place) implements Vertex {}
+    /**
+     * The end of a region.
+     *
+     * @param entry behaviors on entering, in order; only SCXML has them
+     * @param exit behaviors on leaving, in order; only SCXML has them
+     */
+    record FinalState(String key, String name, Place place, List<String> entry, List<String> exit) implements Vertex {
+        public FinalState {
+            entry = List.copyOf(entry);
+            exit = List.copyOf(exit);
+        }
+
+        /** A final state without behaviors. */
+        public FinalState(String key, String name, Place place) {
+            this(key, name, place, List.of(), List.of());
+        }
+    }
 
     /** The kinds of pseudostate of UML 2. */
     enum Kind {

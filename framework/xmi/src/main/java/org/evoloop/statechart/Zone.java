@@ -13,6 +13,8 @@ final class Zone {
     final int depth;
     /** In document order, outer regions before inner ones. */
     final int index;
+    /** Whether it is the region of one child of a parallel state of SCXML, which is its only state. */
+    final boolean ofParallel;
 
     final List<Node> nodes = new ArrayList<>();
 
@@ -21,11 +23,12 @@ final class Zone {
 
     boolean hasHistory;
 
-    Zone(Region region, @Nullable Node owner, int index) {
+    Zone(Region region, @Nullable Node owner, int index, boolean ofParallel) {
         this.region = region;
         this.owner = owner;
         this.depth = owner == null ? 0 : owner.zone.depth + 1;
         this.index = index;
+        this.ofParallel = ofParallel;
     }
 
     /**

@@ -137,9 +137,9 @@ class AddedHistoryTest {
             }
             story.add(event + " " + decision.steps());
             for (Step step : decision.steps()) {
-                device.dispatch(Interpreter.drawn(step.trigger().name()), guard -> true);
+                device.dispatch(Drawing.drawn(step.trigger().name()), guard -> true);
             }
-            wanted.dispatch(Interpreter.drawn(trigger.name()), guard -> true);
+            wanted.dispatch(Drawing.drawn(trigger.name()), guard -> true);
             at = decision.after();
             assertThat(wanted.leaves())
                     .as("%s, new model after %s", what, story)

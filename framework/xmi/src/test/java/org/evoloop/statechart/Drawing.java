@@ -14,6 +14,9 @@ import org.jspecify.annotations.Nullable;
 
 /** An {@link Interpreter}'s view of a statechart. */
 final class Drawing {
+    /** In an event, separates the text from the name of the state to whose timer or activity it belongs. */
+    static final String OWNER = "@";
+
     final List<Arc> arcs = new ArrayList<>();
     /** Keys of the vertices in document order. */
     final List<String> order = new ArrayList<>();
@@ -90,6 +93,25 @@ final class Drawing {
 
     /** The region whose states a transition leaves and enters. */
     Region scope(Arc arc) {
+        Region scope = ownScope(arc);
+        if (!is(vertex(arc.target()), Kind.FORK)) {
+            return scope;
+        }
+        for (Arc branch : leaving(vertex(arc.target())).toList()) {
+            scope = common(inside(scope), around(vertex(branch.target())));
+        }
+        return scope;
+    }
+
+    /** A region and those around it, the outermost first. */
+    private List<Region> inside(Region region) {
+        return around.values().stream()
+                .filter(regions -> regions.get(regions.size() - 1) == region)
+                .findFirst()
+                .orElseThrow();
+    }
+
+    private Region ownScope(Arc arc) {
         Vertex target = vertex(arc.target());
         if (is(target, Kind.JOIN)) {
             return entering(target)
@@ -146,5 +168,16 @@ final class Drawing {
                 .filter(state -> contains(state.regions(), region))
                 .findFirst()
                 .orElseThrow();
+    }
+
+    static boolean isTime(String trigger) {
+        return trigger.startsWith("tm(");
+    }
+
+    /** The event of the flat machine as this interpreter calls it. */
+    static String drawn(String event) {
+        return event.replaceAll("completion\\((.*)\\)", "completion in $1")
+                .replace(" in ", OWNER)
+                .replace(OWNER + "S", OWNER + "s");
     }
 }

@@ -15,11 +15,14 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** The flat machine behaves like the statechart, for random charts, events and values of guards. */
 class FlatteningEquivalenceTest {
     private static final int CHARTS = 1_000;
     private static final int EVENTS = 50;
+    private static final int REGIONS = 200;
 
     @Test
     void shouldAcceptTheSameEventsAndRunTheSameActionsInTheSameOrder() {
@@ -40,6 +43,28 @@ class FlatteningEquivalenceTest {
         assertThat(waiting).as("events that are deferred").isGreaterThan(CHARTS / 2);
     }
 
+    @ParameterizedTest
+    @CsvSource({"20, 30, 70", "20, 100, 50", "40, 30, 35", "30, 100, 25"})
+    void shouldReadMostChartsWithRegionsUnlessTheyAreFullOfConflicts(int transitions, int far, int percent) {
+        Map<String, Integer> refused = new TreeMap<>();
+        int read = 0;
+        for (long seed = 1; seed <= REGIONS; seed++) {
+            Statechart chart = RandomRegions.draw(new Random(seed), new RandomRegions.Shape(transitions, far));
+            Flattening flattening = Flattening.of(chart);
+            if (flattening.problems().isEmpty()) {
+                compare(seed, chart, flattening);
+                read++;
+            } else {
+                flattening.problems().stream()
+                        .map(FlatteningEquivalenceTest::kind)
+                        .distinct()
+                        .forEach(problem -> refused.merge(problem, 1, Integer::sum));
+            }
+        }
+        assertThat(read).as("refused: %s", refused).isGreaterThan(REGIONS * percent / 100);
+        assertThat(refused.keySet()).allMatch(problem -> problem.startsWith("one event triggers two transitions"));
+    }
+
     private static String kind(Problem problem) {
         return problem.message().replaceAll("'[^']*'|\\(.*|\\d+", "");
     }
@@ -58,8 +83,7 @@ class FlatteningEquivalenceTest {
             Map<String, Boolean> values = Map.of("g", random.nextBoolean(), "h", random.nextBoolean());
             String event = anEvent(actual, random);
             story.add(event + values);
-            List<String> actions =
-                    expected.dispatch(Interpreter.drawn(event), guard -> values.getOrDefault(guard, false));
+            List<String> actions = expected.dispatch(Drawing.drawn(event), guard -> values.getOrDefault(guard, false));
             actual.dispatch(event, values, actions, expected.waits(), what + ", events " + story);
             actual.check(expected, what, story);
             waiting += expected.waits() ? 1 : 0;

@@ -1,7 +1,6 @@
 package org.evoloop.statechart;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -24,9 +23,6 @@ import org.jspecify.annotations.Nullable;
  * simple; shares with {@link Flattening} only the choices that its Javadoc states.
  */
 final class Interpreter {
-    /** In an event, separates the text from the name of the state to whose timer or activity it belongs. */
-    static final String OWNER = "@";
-
     private final Statechart chart;
     private final Drawing drawing;
 
@@ -63,8 +59,8 @@ final class Interpreter {
         if (terminated) {
             return null;
         }
-        if (event.startsWith("completion" + OWNER)) {
-            ChartState state = drawing.state(event.substring(event.indexOf(OWNER) + 1));
+        if (event.startsWith("completion" + Drawing.OWNER)) {
+            ChartState state = drawing.state(event.substring(event.indexOf(Drawing.OWNER) + 1));
             if (!isActive(state)
                     || done.contains(state.key())
                     || !waits(state)
@@ -118,7 +114,7 @@ final class Interpreter {
                 .flatMap(state -> drawing.leaving(state)
                         .flatMap(arc -> arc.triggers().stream())
                         .distinct()
-                        .filter(Interpreter::isTime)
+                        .filter(Drawing::isTime)
                         .map(text -> text + " since " + enteredAt.get(state.key())))
                 .sorted()
                 .toList();
@@ -129,17 +125,6 @@ final class Interpreter {
                 .flatMap(state -> state.doActivities().stream())
                 .sorted()
                 .toList();
-    }
-
-    static boolean isTime(String trigger) {
-        return trigger.startsWith("tm(");
-    }
-
-    /** The event of the flat machine as this interpreter calls it. */
-    static String drawn(String event) {
-        return event.replaceAll("completion\\((.*)\\)", "completion in $1")
-                .replace(" in ", OWNER)
-                .replace(OWNER + "S", OWNER + "s");
     }
 
     private Stream<ChartState> activeStates() {
@@ -181,8 +166,8 @@ final class Interpreter {
         if (!inner.isEmpty()) {
             return inner;
         }
-        String trigger = event.contains(OWNER) ? event.substring(0, event.indexOf(OWNER)) : event;
-        boolean others = event.contains(OWNER) && !event.endsWith(OWNER + state.key());
+        String trigger = event.contains(Drawing.OWNER) ? event.substring(0, event.indexOf(Drawing.OWNER)) : event;
+        boolean others = event.contains(Drawing.OWNER) && !event.endsWith(Drawing.OWNER + state.key());
         if (others) {
             return List.of();
         }
@@ -241,7 +226,7 @@ final class Interpreter {
             }
             case ENTRY_POINT, EXIT_POINT -> {
                 List<Arc> next = drawing.leaving(target).toList();
-                return next.isEmpty() ? path : extend(next.get(0), path);
+                return next.size() != 1 ? path : extend(next.get(0), path);
             }
             default -> {
                 return path;
@@ -249,20 +234,30 @@ final class Interpreter {
         }
     }
 
+    /** An internal transition conflicts only with those that leave its state. */
     private List<List<Arc>> withoutConflicts(List<List<Arc>> fires) {
         List<List<Arc>> kept = new ArrayList<>();
         Set<String> taken = new HashSet<>();
+        Set<String> internal = new HashSet<>();
         for (List<Arc> fire : fires) {
-            Set<String> exits = fire.stream()
-                    .filter(arc -> arc.kind() != Arc.Kind.INTERNAL)
-                    .flatMap(arc -> exits(arc).stream())
-                    .collect(Collectors.toSet());
-            if (exits.stream().noneMatch(taken::contains)) {
+            boolean stays = fire.get(0).kind() == Arc.Kind.INTERNAL;
+            Set<String> exits = exits(fire);
+            if (stays
+                    ? !taken.contains(fire.get(0).source())
+                    : exits.stream().noneMatch(key -> taken.contains(key) || internal.contains(key))) {
                 kept.add(fire);
                 taken.addAll(exits);
+                internal.addAll(stays ? Set.of(fire.get(0).source()) : Set.of());
             }
         }
         return kept;
+    }
+
+    private Set<String> exits(List<Arc> fire) {
+        return fire.stream()
+                .filter(arc -> arc.kind() != Arc.Kind.INTERNAL)
+                .flatMap(arc -> exits(arc).stream())
+                .collect(Collectors.toSet());
     }
 
     private Set<String> exits(Arc arc) {
@@ -321,18 +316,7 @@ final class Interpreter {
             }
             actions.addAll(arc.effects());
             if (drawing.is(target, Kind.FORK)) {
-                List<Arc> branches = drawing.leaving(target).toList();
-                branches.forEach(branch -> actions.addAll(branch.effects()));
-                Region outermost = branches.stream()
-                        .map(branch ->
-                                Drawing.common(drawing.around(target), drawing.around(drawing.vertex(branch.target()))))
-                        .min(Comparator.comparingInt(drawing::depth))
-                        .orElseThrow();
-                enter(
-                        outermost,
-                        branches.stream()
-                                .map(branch -> drawing.vertex(branch.target()))
-                                .collect(Collectors.toSet()));
+                enter(scope, split(target));
             } else if (drawing.is(target, Kind.TERMINATE)) {
                 terminated = true;
                 terminator = target.key();
@@ -345,6 +329,10 @@ final class Interpreter {
                 open(drawing.around(border), scope, opened);
                 activate(border);
                 opened.add(border);
+                if (drawing.leaving(target).count() > 1) {
+                    Set<Vertex> targets = split(target);
+                    border.regions().forEach(region -> enter(region, targets));
+                }
             } else if (drawing.is(target, Kind.CHOICE) || drawing.is(target, Kind.JUNCTION)) {
                 open(drawing.around(target), scope, opened);
             } else {
@@ -357,6 +345,13 @@ final class Interpreter {
                 state.regions().forEach(region -> enter(region, Set.of()));
             }
         }
+    }
+
+    private Set<Vertex> split(Vertex fork) {
+        drawing.leaving(fork).forEach(branch -> actions.addAll(branch.effects()));
+        return drawing.leaving(fork)
+                .map(branch -> drawing.vertex(branch.target()))
+                .collect(Collectors.toSet());
     }
 
     /** Enters only the states between a region and the innermost of some regions. */
@@ -485,10 +480,5 @@ final class Interpreter {
             choose(drawing.leaving(state).filter(arc -> arc.triggers().isEmpty()))
                     .forEach(this::fire);
         }
-    }
-
-    @Override
-    public String toString() {
-        return leaves() + " " + Arrays.toString(complete.toArray());
     }
 }

@@ -18,8 +18,10 @@ final class RandomChart {
     private final List<ChartState> states = new ArrayList<>();
     private final List<String> targets = new ArrayList<>();
     private final List<Arc> arcs = new ArrayList<>();
-    /** Forks and joins, which are in the top region. */
+    /** Joins, and the forks that are in the top region. */
     private final List<Vertex> extras = new ArrayList<>();
+    /** The forks that are in no region yet. */
+    private final List<Vertex> forks = new ArrayList<>();
 
     private final List<Runnable> later = new ArrayList<>();
     private int keys;
@@ -45,7 +47,7 @@ final class RandomChart {
         return new Statechart(
                 "random",
                 Place.NONE,
-                List.of(new Region("", Place.NONE, with(top.vertices(), extras), arcs)),
+                List.of(new Region("", Place.NONE, with(top.vertices(), with(forks, extras)), arcs)),
                 List.of());
     }
 
@@ -62,6 +64,10 @@ final class RandomChart {
             ChartState state = state(depth);
             vertices.add(state);
             inner.add(state.key());
+        }
+        if (chance(50)) {
+            vertices.addAll(forks);
+            forks.clear();
         }
         if (chance(30)) {
             FinalState end = new FinalState(key("end"), "", Place.NONE);
@@ -102,10 +108,13 @@ final class RandomChart {
                 regions.add(region(depth + 1));
             }
             if (chance(20)) {
-                connections.add(point(Kind.ENTRY_POINT, inside(regions)));
+                List<Region> entered = chance(50) ? regions : List.of(one(regions));
+                connections.add(point(
+                        Kind.ENTRY_POINT,
+                        entered.stream().map(region -> inside(List.of(region))).toList()));
             }
             if (chance(20)) {
-                Pseudostate exit = point(Kind.EXIT_POINT, targets);
+                Pseudostate exit = point(Kind.EXIT_POINT, List.of(targets));
                 connections.add(exit);
                 List<String> sources = inside(regions);
                 later.add(() -> arc(one(sources), exit.key(), triggers(), guard(), Arc.Kind.EXTERNAL));
@@ -145,14 +154,14 @@ final class RandomChart {
     }
 
     private void fork(List<Region> regions) {
-        String fork = extra(Kind.FORK);
+        String fork = pseudostate(forks, Kind.FORK);
         targets.add(fork);
         later.add(() ->
                 regions.forEach(region -> arc(fork, one(inside(List.of(region))), List.of(), "", Arc.Kind.EXTERNAL)));
     }
 
     private void join(List<Region> regions) {
-        String join = extra(Kind.JOIN);
+        String join = pseudostate(extras, Kind.JOIN);
         List<String> triggers = chance(50) ? List.of() : List.of(one(EVENTS));
         later.add(() -> {
             regions.forEach(region -> {
@@ -166,16 +175,13 @@ final class RandomChart {
         });
     }
 
-    private String extra(Kind kind) {
-        return pseudostate(extras, kind);
-    }
-
-    private Pseudostate point(Kind kind, List<String> goals) {
+    /** @param goals for each of its transitions */
+    private Pseudostate point(Kind kind, List<List<String>> goals) {
         Pseudostate point = new Pseudostate(key("p"), "", Place.NONE, kind);
         if (kind == Kind.ENTRY_POINT) {
             targets.add(point.key());
         }
-        later.add(() -> arc(point.key(), one(goals), List.of(), "", Arc.Kind.EXTERNAL));
+        later.add(() -> goals.forEach(some -> arc(point.key(), one(some), List.of(), "", Arc.Kind.EXTERNAL)));
         return point;
     }
 

@@ -10,6 +10,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.Enumeration;
 import java.util.Iterator;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.evoloop.statechart.Statechart;
@@ -58,6 +60,23 @@ class DialectBoundsTest {
                         Stream.generate(() -> parts.get(1)).limit(1_000))))
                 .isInstanceOf(ModelException.class)
                 .hasMessageStartingWith("F.xml: nests elements deeper than 500");
+    }
+
+    @Test
+    void theParsersOwnLimitsWhichDifferBetweenJdksAreNotMet() {
+        Map<String, String> limits = Map.of("jdk.xml.maxElementDepth", "100", "jdk.xml.elementAttributeLimit", "200");
+        limits.forEach(System::setProperty);
+        try {
+            String attributes = IntStream.range(0, 1_000)
+                    .mapToObj(each -> " x:a" + each + "=''")
+                    .collect(Collectors.joining());
+            String notes = "<x:note" + attributes + ">" + "<x:n>".repeat(450) + "</x:n>".repeat(450) + "</x:note>";
+            assertThat(read(Stream.of(SCXML, "<state id='a' xmlns:x='urn:notes'>" + notes + "</state></scxml>"))
+                            .machines())
+                    .hasSize(1);
+        } finally {
+            limits.keySet().forEach(System::clearProperty);
+        }
     }
 
     @ParameterizedTest

@@ -83,7 +83,8 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
     protected void assemble(MapeLoop<Percept, Situation, Maneuver> loop, Visit visit) {
         StartPointSensor sensor = startPoint.apply(visit.clock());
         visit.onEnd(sensor::close);
-        MonitorSenses monitor = new MonitorSenses(loop, sensor, session::isUndocking, visit);
+        MonitorSenses monitor = new MonitorSenses(loop, sensor, session::isUndocking, options.frameLimit(), visit);
+        visit.onEnd(monitor::close);
         loop.addMonitor(monitor);
         ObeyWatch obeyWatch = new ObeyWatch(options.frameLimit().toNanos());
         loop.addAnalyze(new AnalyzeSituation(options, obeyWatch, visit));
@@ -107,7 +108,11 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
     }
 
     private void end(Visit visit, Ending ending) {
-        LOG.warn("Move has ended before the starting point: {}", ending.reason());
+        if (ending.byPerson()) {
+            LOG.warn("Move has ended before the starting point: {}", ending.reason());
+        } else {
+            visit.failed("ended before the starting point: " + ending.reason());
+        }
         visit.say("Stop before target point: " + ending.reason());
         Stream.of(ending.byPerson() ? "" : TIMEOUT, back.event(ending.work()), back.event(Optional.empty()))
                 .filter(event -> !event.isEmpty() && visit.accepts(event))
@@ -132,6 +137,7 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
         private final Visit visit;
         private final MoveOptions options;
         private final long beganNanos;
+        private @Nullable Situation last;
 
         AnalyzeSituation(MoveOptions options, ObeyWatch obeyWatch, Visit visit) {
             this.options = options;
@@ -143,9 +149,16 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
 
         @Override
         protected Situation analyze(Percept percept) {
+            Situation before = last;
+            Situation now = before != null && !percept.heard() ? before.unheard(percept.nanos()) : heard(percept);
+            last = now;
+            return now;
+        }
+
+        private Situation heard(Percept percept) {
             Telemetry now = percept.telemetry();
             if (obeyWatch.update(now.values(), now.isUnderControl(), percept.nanos())) {
-                LOG.warn("the wheels {}", DISOBEYING);
+                visit.failed("the wheels " + DISOBEYING);
                 visit.say("The wheels " + DISOBEYING);
             }
             return Situation.of(percept.nanos(), percept.telemetry(), goalWatch.update(percept), ending(percept));

@@ -8,7 +8,7 @@ import java.time.Duration;
  * <p>Threading: immutable.
  *
  * @param limit if the robot has not arrived after this time, it stops for good
- * @param frameLimit the wheels stop when the newest look is older than this
+ * @param frameLimit the wheels stop when the newest look, or the robot's newest frame, is older than this
  * @param settle this long after a stop command, pictures show the robot at rest: the wheels need 0.1 s to stop, and a
  *     USB camera's frame arrives about as late
  */

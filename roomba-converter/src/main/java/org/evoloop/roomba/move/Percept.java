@@ -9,5 +9,6 @@ import org.evoloop.roomba.session.Telemetry;
  *
  * @param nanos when the percept was created, on the clock that also dates the look
  * @param person why a person at the robot has ended Move, or {@link Ending#NONE}
+ * @param heard whether the frame has just come; else the robot has been silent since, for the frame limit or longer
  */
-record Percept(long nanos, Telemetry telemetry, Look look, Ending person) {}
+record Percept(long nanos, Telemetry telemetry, Look look, Ending person, boolean heard) {}

@@ -42,7 +42,7 @@ class GoalWatchTest {
     }
 
     private Sight at(long nowMillis, OdometryPose pose, Look look) {
-        return watch.update(new Percept(millis(nowMillis), telemetry(pose), look, Ending.NONE));
+        return watch.update(new Percept(millis(nowMillis), telemetry(pose), look, Ending.NONE, true));
     }
 
     private Sight at(long nowMillis, Look look) {

@@ -16,6 +16,7 @@ import org.evoloop.fleet.TestProcess;
 import org.evoloop.fleet.broker.LocalBroker;
 import org.evoloop.fleet.stream.Fleet;
 import org.evoloop.fleet.stream.FleetSettings;
+import org.evoloop.fleet.stream.KafkaCluster;
 import org.evoloop.fleet.wire.Reading;
 import org.evoloop.fleet.wire.Topic;
 import org.evoloop.fleet.wire.Wire;
@@ -49,7 +50,7 @@ class RoombaEdgeTest {
     void aPressAtTheRobotIsDecidedByTheFleetOnceWhicheverProcessIsKilled() throws Exception {
         try (Mosquitto mosquitto = new Mosquitto(directory).start();
                 Cluster cluster = Cluster.fresh(2);
-                Fleet fleet = new Fleet(Brokers.shared(), settings(cluster))) {
+                Fleet fleet = new Fleet(KafkaCluster.at(Brokers.shared()), settings(cluster))) {
             serveRobot(fleet, cluster);
             Process gateway = gateway(Brokers.shared(), cluster, mosquitto);
             Process edge = edge(mosquitto, "--no-guard", "--spot-wait", "60");
@@ -99,8 +100,8 @@ class RoombaEdgeTest {
         Path kafka = directory.resolve("kafka");
         LocalBroker broker = LocalBroker.start(kafka, port, controller);
         try (Mosquitto mosquitto = new Mosquitto(directory).start();
-                Cluster cluster = new Cluster(broker.bootstrap(), "robots", 2);
-                Fleet fleet = new Fleet(broker.bootstrap(), settings(cluster))) {
+                Cluster cluster = new Cluster(KafkaCluster.at(broker.bootstrap()), "robots", 2);
+                Fleet fleet = new Fleet(KafkaCluster.at(broker.bootstrap()), settings(cluster))) {
             serveRobot(fleet, cluster);
             gateway(broker.bootstrap(), cluster, mosquitto);
             edge(mosquitto, "--no-guard", "--spot-wait", "1");
@@ -137,7 +138,7 @@ class RoombaEdgeTest {
     void theGuardStopsTheRobotWhoseEdgeIsKilled() throws Exception {
         try (Mosquitto mosquitto = new Mosquitto(directory).start();
                 Cluster cluster = Cluster.fresh(2);
-                Fleet fleet = new Fleet(Brokers.shared(), settings(cluster))) {
+                Fleet fleet = new Fleet(KafkaCluster.at(Brokers.shared()), settings(cluster))) {
             serveRobot(fleet, cluster);
             gateway(Brokers.shared(), cluster, mosquitto);
             Process edge = edge(mosquitto, "--start-point", "100000,0");

@@ -143,7 +143,7 @@ final class TimeFormParser {
     }
 
     private static void lasts(Formula formula) {
-        if (formula.namesEvent()) {
+        if (formula.names(Formula.Kind.EVENT)) {
             throw new ModelException(
                     "an event takes no time, so it cannot last; name the state, device state or function "
                             + "that it leads to");

@@ -23,10 +23,10 @@ public sealed interface Formula {
                 && operands().stream().allMatch(Formula::isPlain);
     }
 
-    /** Whether it names an event anywhere. */
-    default boolean namesEvent() {
-        return (this instanceof Atom atom && atom.kind() == Kind.EVENT)
-                || operands().stream().anyMatch(Formula::namesEvent);
+    /** Whether it names something of this kind anywhere. */
+    default boolean names(Kind kind) {
+        return (this instanceof Atom atom && atom.kind() == kind)
+                || operands().stream().anyMatch(operand -> operand.names(kind));
     }
 
     /**

@@ -9,8 +9,10 @@ import java.util.TreeMap;
 import org.evoloop.check.CheckInput;
 import org.evoloop.check.Element;
 import org.evoloop.check.Finding;
+import org.evoloop.check.FunctionSends;
 import org.evoloop.check.Rule;
 import org.evoloop.check.TimedEvent;
+import org.evoloop.check.temporal.Formula;
 import org.evoloop.core.Rules;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Timers;
@@ -39,6 +41,7 @@ public final class TimeCheck {
 
     private final Rules rules;
     private final TimeRules written;
+    private final FunctionSends sends;
     private final String file;
     private final Map<String, Span> takes = new TreeMap<>();
     private final List<TimeVerdict> verdicts = new ArrayList<>();
@@ -48,6 +51,7 @@ public final class TimeCheck {
 
     private TimeCheck(CheckInput input, TimeRules written, String file) {
         this.written = written;
+        this.sends = FunctionSends.possible(input);
         this.file = file;
         StateMachine evolved = input.pair().evolved();
         int queue = written.find(Assumption.Queue.class, any -> true)
@@ -129,6 +133,10 @@ public final class TimeCheck {
         Measuring measuring = new Measuring(exploration, true);
         exploration.run(measuring);
         left -= exploration.visited.size();
+        if (!sends.isEmpty() && isAboutDevice(property.form())) {
+            findings.add(unknown(property, !measuring.isViolated()));
+            return;
+        }
         if (!measuring.isViolated()) {
             verdicts.add(measuring.verdict(property, exploration));
             return;
@@ -140,11 +148,31 @@ public final class TimeCheck {
                 Rule.PROPERTY,
                 new Element.OfState(
                         Element.ModelRole.NEW, way.get(way.size() - 1).after().evolved()),
-                "'" + property.name() + "' (" + file + ", line " + property.line() + ") does not hold",
+                named(property) + " does not hold",
                 "change the new model or its times, write what is known about when events come, or change the property "
                         + "if it asks for too much",
                 List.of(),
                 way));
+    }
+
+    /** Where the device is depends on what functions send. */
+    private static boolean isAboutDevice(TimeForm form) {
+        return form.subject().names(Formula.Kind.DEVICE) || form.other().names(Formula.Kind.DEVICE);
+    }
+
+    private Finding unknown(TimeProperty property, boolean otherwise) {
+        return new Finding(
+                Rule.UNKNOWN_PROPERTY,
+                new Element.OfState(
+                        Element.ModelRole.NEW, sends.states().iterator().next()),
+                named(property) + " is unknown, since " + sends.describe() + "; if nothing is sent, it "
+                        + (otherwise ? "holds" : "does not hold"),
+                FunctionSends.REMEDY,
+                List.of());
+    }
+
+    private String named(TimeProperty property) {
+        return "'" + property.name() + "' (" + file + ", line " + property.line() + ")";
     }
 
     /** The worst case, as far as it can be determined. */

@@ -39,6 +39,22 @@ class TimeCheckTest {
         return TimeCheck.run(CheckInput.of(pair), rules, "lamp.txt");
     }
 
+    @Test
+    void whereTheDeviceIsDependsOnWhatFunctionsSend() {
+        assertThat(check(LAMP, "Lit: after Dim, device Off within 1 s").findings())
+                .extracting(Finding::message)
+                .containsExactly(
+                        "'Lit' (lamp.txt, line 1) is unknown, since the function of Dim may send events to the "
+                                + "device; if nothing is sent, it does not hold");
+        assertThat(check(LAMP, "Lit: device On never longer than 1 h").verdicts())
+                .isEmpty();
+        PropertyFile file = PropertyFile.parse("lamp.txt", "Lit: after Dim, device Off within 1 s", LAMP);
+        assertThat(TimeCheck.run(CheckInput.of(LAMP).withFunctions(Set.of()), file.time(), "lamp.txt")
+                        .findings())
+                .extracting(Finding::rule)
+                .contains(Rule.PROPERTY);
+    }
+
     static Stream<Arguments> verdicts() {
         String slow = "takes press 1 s .. 2 s";
         String later = "dim comes 1 s .. 2 s after state On";

@@ -296,6 +296,14 @@ public final class HostedVisit implements Visit {
     }
 
     @Override
+    public void failed(String reason) {
+        requireNonNull(reason, "the reason is null");
+        if (isActive()) {
+            host.failed(this, new Exception(reason));
+        }
+    }
+
+    @Override
     public void say(String text) {
         if (isActive()) {
             host.notice("***  " + text + "  ***  ");

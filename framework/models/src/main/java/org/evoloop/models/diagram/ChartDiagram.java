@@ -60,7 +60,7 @@ public final class ChartDiagram {
             return state(state);
         }
         Shape shape = vertex instanceof Pseudostate pseudostate ? shape(pseudostate.kind()) : Shape.FINAL;
-        return Node.of(vertex.key(), shape, vertex.name(), vertexTone.apply(vertex));
+        return Node.of(vertex.key(), shape, StateLabel.beside(vertex), vertexTone.apply(vertex));
     }
 
     private Node state(ChartState state) {

@@ -82,8 +82,8 @@ public final class Dot {
     }
 
     private static String look(Vertex vertex) {
-        boolean named = !vertex.name().isEmpty() && !ChartIndex.isInitial(vertex);
-        return shape(vertex) + (named ? ", xlabel=" + quote(vertex.name()) : "");
+        String name = ChartIndex.isInitial(vertex) ? "" : StateLabel.beside(vertex);
+        return shape(vertex) + (name.isEmpty() ? "" : ", xlabel=" + quote(name));
     }
 
     private static String shape(Vertex vertex) {

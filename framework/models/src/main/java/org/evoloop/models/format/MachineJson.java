@@ -92,8 +92,9 @@ public record MachineJson(List<Machine> machines) {
                         state.exit(),
                         state.deferred()));
                 state.regions().forEach(region -> regions.add(part(name, region, index)));
-            } else if (vertex instanceof FinalState) {
-                hierarchy.add(new Nesting(name, Json.orNull(parent), true, List.of(), List.of(), List.of(), List.of()));
+            } else if (vertex instanceof FinalState end) {
+                hierarchy.add(
+                        new Nesting(name, Json.orNull(parent), true, end.entry(), List.of(), end.exit(), List.of()));
             } else {
                 points.add(new Point(name, ChartIndex.kind(vertex), Json.orNull(parent)));
             }

@@ -9,6 +9,7 @@ import org.evoloop.statechart.Region;
 import org.evoloop.statechart.Statechart;
 import org.evoloop.statechart.Vertex;
 import org.evoloop.statechart.Vertex.ChartState;
+import org.evoloop.statechart.Vertex.FinalState;
 
 /** A machine as text: each vertex with its contents and its transitions. */
 public final class MachineText {
@@ -75,6 +76,10 @@ public final class MachineText {
             leaving(vertex, depth);
         } else {
             line(depth, index.name(vertex.key()) + " (" + ChartIndex.kind(vertex) + ")");
+            if (vertex instanceof FinalState end) {
+                end.entry().forEach(behavior -> line(depth + 1, "entry / " + behavior));
+                end.exit().forEach(behavior -> line(depth + 1, "exit / " + behavior));
+            }
             leaving(vertex, depth + 1);
         }
     }

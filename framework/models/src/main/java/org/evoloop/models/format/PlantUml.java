@@ -71,8 +71,8 @@ public final class PlantUml {
                     "state \"" + quoted(index.name(vertex.key())) + "\" as " + alias + " <<" + stereotype(point.kind())
                             + ">>");
         } else if (vertex instanceof FinalState) {
-            String name = vertex.name().isEmpty() ? "" : "\"" + quoted(vertex.name()) + "\" as ";
-            line(depth, "state " + name + alias + " <<end>>");
+            String name = StateLabel.beside(vertex);
+            line(depth, "state " + (name.isEmpty() ? "" : "\"" + quoted(name) + "\" as ") + alias + " <<end>>");
         } else {
             line(depth, "state " + alias + " <<start>>");
         }

@@ -1,6 +1,7 @@
 package org.evoloop.models.scaffold;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -44,7 +45,7 @@ public final class Scaffold {
      * @param evolved the source of its new model
      * @param javaPackage see {@link #requirePackage}
      * @param directory see {@link #requireDirectory}
-     * @param properties the file of properties that the evolution must keep; null if there is none
+     * @param properties the text of the properties that the evolution must keep; null if there is none
      */
     public record Request(
             ModelPair pair,
@@ -53,7 +54,7 @@ public final class Scaffold {
             ModelReference evolved,
             String javaPackage,
             Path directory,
-            @Nullable Path properties) {}
+            @Nullable String properties) {}
 
     private Scaffold(Request request) {
         this.request = request;
@@ -176,7 +177,7 @@ public final class Scaffold {
         values.put("evolvedMachine", machine(request.evolved()));
         if (request.properties() != null) {
             // Named after the new model's file, so that the command check finds it.
-            content.bytes("models/" + evolved + ".properties.txt", Files.readAllBytes(request.properties()));
+            content.bytes("models/" + evolved + ".properties.txt", request.properties().getBytes(StandardCharsets.UTF_8));
         }
     }
 

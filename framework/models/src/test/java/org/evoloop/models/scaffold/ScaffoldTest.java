@@ -3,14 +3,23 @@ package org.evoloop.models.scaffold;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.platform.engine.discovery.DiscoverySelectors.selectClass;
 
+import java.io.BufferedReader;
+import java.io.File;
 import java.io.IOException;
 import java.io.StringWriter;
+import java.io.Writer;
+import java.net.URI;
 import java.net.URL;
 import java.net.URLClassLoader;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
@@ -55,8 +64,13 @@ class ScaffoldTest {
                 .toString();
     }
 
-    /** Compiles the project as Maven would, and runs its tests. */
+    /** Compiles the project, and runs its tests. */
     private TestExecutionSummary test(Path project) throws Exception {
+        return run(compile(project));
+    }
+
+    /** Compiles the project as Maven would. */
+    private static Path compile(Path project) throws IOException {
         Path classes = Files.createDirectories(project.resolve("target/classes"));
         List<Path> sources;
         try (Stream<Path> files = Files.walk(project.resolve("src"))) {
@@ -78,17 +92,17 @@ class ScaffoldTest {
                     .call();
             assertThat(compiled).as(messages.toString()).isTrue();
         }
-        return run(classes, project);
-    }
-
-    /** The models are beside the classes, as they are beside a program's jar. */
-    private static TestExecutionSummary run(Path classes, Path project) throws Exception {
+        // The models are beside the classes, as they are beside a program's jar.
         try (Stream<Path> models = Files.list(project.resolve("models"))) {
             Path beside = Files.createDirectories(classes.resolveSibling("models"));
             for (Path model : models.toList()) {
                 Files.copy(model, beside.resolve(model.getFileName()));
             }
         }
+        return classes;
+    }
+
+    private static TestExecutionSummary run(Path classes) throws Exception {
         SummaryGeneratingListener listener = new SummaryGeneratingListener();
         try (URLClassLoader loader =
                 new URLClassLoader(new URL[] {classes.toUri().toURL()})) {
@@ -118,6 +132,74 @@ class ScaffoldTest {
                 .contains("The state is left by timeout, Clean.", "visit.finish(\"timeout\")");
         assertThat(project.resolve("models/models.xml")).hasSameBinaryContentAs(Path.of(Tool.ROBOT));
         assertThat(project.resolve("mvnw")).isExecutable();
+    }
+
+    /** A gate of which the motor reports the ends; the new model adds a button and a time. */
+    @Test
+    void theProgramOffersWhatAControllerRaisesAndNothingElse() throws Exception {
+        StateMachine gate = gate("original").build();
+        StateMachine kept = gate("new")
+                .transition("Up", "tm(5min)", "Sinking")
+                .transition("Up", "stay", "Held")
+                .transition("Held", "giveUp", "Up")
+                .build();
+        Path classes = compile(scaffold(
+                model("original.xml", gate),
+                model("new.xml", kept),
+                "--spontaneous",
+                "atTop",
+                "--spontaneous",
+                "atBottom"));
+        Process program = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-cp",
+                        classes + File.pathSeparator + System.getProperty("java.class.path"),
+                        JAVA_PACKAGE + ".Main",
+                        "--page",
+                        "0")
+                .start();
+        try (BufferedReader errors = program.errorReader();
+                Writer commands = program.outputWriter()) {
+            Matcher page = Pattern.compile(".* (http://\\S+/)#token=(\\S+) .*")
+                    .matcher(errors.lines()
+                            .filter(line -> line.startsWith("page: "))
+                            .findFirst()
+                            .orElseThrow());
+            assertThat(page.matches()).isTrue();
+            assertThat(offered(page.group(1), page.group(2)))
+                    .contains("\"name\":\"press\"")
+                    .contains("\"choices\":[\"push\",\"stay\"]")
+                    .doesNotContain("\"device\"", "atTop", "tm(5min)", "giveUp");
+            commands.write("start\npress atTop\npress tm(5min)\npress giveUp\npress push\nexit\n");
+            commands.flush();
+            assertThat(errors.lines())
+                    .containsExactly(
+                            "error: there is no atTop; there is push, stay",
+                            "error: there is no tm(5min); there is push, stay",
+                            "error: there is no giveUp; there is push, stay");
+            assertThat(program.waitFor()).isZero();
+        } finally {
+            program.destroyForcibly();
+        }
+    }
+
+    private static StateMachineBuilder gate(String name) {
+        return StateMachine.named(name)
+                .initial("Down")
+                .transition("Down", "push", "Rising")
+                .transition("Rising", "atTop", "Up")
+                .transition("Up", "push", "Sinking")
+                .transition("Sinking", "atBottom", "Down");
+    }
+
+    private static String offered(String address, String token) throws Exception {
+        HttpRequest request = HttpRequest.newBuilder(URI.create(address + "session"))
+                .header("Origin", address.replaceFirst("/$", ""))
+                .POST(HttpRequest.BodyPublishers.ofString(token))
+                .build();
+        return HttpClient.newHttpClient()
+                .send(request, HttpResponse.BodyHandlers.ofString())
+                .body();
     }
 
     /** Names that are not Java identifiers, guards, effects, time triggers, and functions of the device. */

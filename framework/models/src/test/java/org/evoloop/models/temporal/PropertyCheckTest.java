@@ -12,6 +12,8 @@ import org.evoloop.check.Rule;
 import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.StateMachineBuilder;
 import org.evoloop.xmi.XmiFile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -25,10 +27,21 @@ class PropertyCheckTest {
         return new ModelPair(file.pick("original"), file.pick("new"));
     }
 
+    /** With functions that send nothing. */
     private static List<Finding> check(String text) {
         return PropertyCheck.run(
-                CheckInput.of(ROBOT).withOwnEvents(Set.of("endSpot")),
+                CheckInput.of(ROBOT).withOwnEvents(Set.of("endSpot")).withFunctions(Set.of()),
                 PropertyFile.parse("robot.properties.txt", text, ROBOT));
+    }
+
+    /** With functions of which nobody says what they send. */
+    private static List<String> judged(String... formulas) {
+        return PropertyCheck.run(
+                        CheckInput.of(ROBOT).withOwnEvents(Set.of("endSpot")),
+                        PropertyFile.parse("robot.properties.txt", String.join("\n", formulas), ROBOT))
+                .stream()
+                .map(Finding::message)
+                .toList();
     }
 
     private static List<String> example(String formula) {
@@ -58,6 +71,79 @@ class PropertyCheckTest {
             })
     void holdsForTheCleaningRobot(String formula) {
         assertThat(check(formula)).isEmpty();
+    }
+
+    @Test
+    void whatAFunctionMaySendIsNotProvedAndNotRefuted() {
+        assertThat(judged(
+                        "Still: always (function Move implies device On)",
+                        "Busy: can (function Move and device Clean)",
+                        "Waits: never (SpotWait and not device Clean)",
+                        "Both: never (state Move and device Clean or state SpotWait and device On)"))
+                .containsExactly(
+                        "'Still' (robot.properties.txt, line 1) is unknown, since the function of Move may send events to "
+                                + "the device; if nothing is sent, it holds",
+                        "'Busy' (robot.properties.txt, line 2) is unknown, since the function of Move may send events to "
+                                + "the device; if nothing is sent, it does not hold",
+                        "'Waits' (robot.properties.txt, line 3) is unknown, since the function of SpotWait may send events "
+                                + "to the device; if nothing is sent, it holds",
+                        "'Both' (robot.properties.txt, line 4) is unknown, since the functions of Move, SpotWait may send "
+                                + "events to the device; if nothing is sent, it holds");
+    }
+
+    @Test
+    void whatHoldsOrFailsWhateverFunctionsSendIsJudgedAsBefore() {
+        assertThat(judged(
+                        "always can device On",
+                        "always can (On and device On)",
+                        "always (On implies device On)",
+                        "Move only after event Spot",
+                        "always (Spot implies eventually On)",
+                        "can (function Move and device On)",
+                        "can (SpotWait and device Clean)"))
+                .isEmpty();
+        assertThat(judged("Never: never function Move", "Clean: always (Clean implies device On)"))
+                .containsExactly(
+                        "'Never' (robot.properties.txt, line 1) does not hold",
+                        "'Clean' (robot.properties.txt, line 2) does not hold");
+    }
+
+    @Test
+    void whereThereIsTooMuchToExploreItIsUnknownToo() {
+        StateMachineBuilder device = StateMachine.named("original").initial("S0");
+        StateMachineBuilder system = StateMachine.named("new").initial("S0");
+        for (int state = 0; state < 250; state++) {
+            String next = "S" + (state + 1) % 250;
+            device.transition("S" + state, "on", next);
+            system.transition("S" + state, "on", next)
+                    .transition("S" + state, "wait", "W" + state)
+                    .transition("W" + state, "on", next);
+        }
+        ModelPair ring = new ModelPair(device.build(), system.build());
+        PropertyFile file = PropertyFile.parse("ring.properties.txt", "Back: always can S0", ring);
+
+        assertThat(PropertyCheck.run(CheckInput.of(ring), file))
+                .extracting(Finding::message)
+                .containsExactly(
+                        "'Back' (ring.properties.txt, line 1) is unknown, since the functions of W0, W1, W2, W3, W4 "
+                                + "and 245 more may send events to the device, which is too much to explore; if nothing is sent, "
+                                + "it holds");
+        assertThat(PropertyCheck.run(CheckInput.of(ring).withFunctions(Set.of("W7")), file))
+                .isEmpty();
+    }
+
+    @Test
+    void onlyTheStatesThatAreSaidToHaveAFunctionMaySend() {
+        PropertyFile file = PropertyFile.parse(
+                "robot.properties.txt",
+                "Still: always (function Move implies device On)\nWaits: never (SpotWait and not device Clean)",
+                ROBOT);
+        CheckInput known = CheckInput.of(ROBOT).withOwnEvents(Set.of("endSpot")).withFunctions(Set.of("Move"));
+        assertThat(PropertyCheck.run(known, file)).singleElement().satisfies(finding -> {
+            assertThat(finding.rule()).isEqualTo(Rule.UNKNOWN_PROPERTY);
+            assertThat(finding.element()).hasToString("Move");
+            assertThat(finding.example()).hasToString("[Clean, Spot]");
+        });
     }
 
     @Test

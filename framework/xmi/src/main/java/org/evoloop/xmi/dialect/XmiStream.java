@@ -32,6 +32,8 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
 
     /** The parser keeps every name in memory; a real file has some 200. */
     private static final int MAX_NAMES = 10_000;
+
+    private static final int MAX_NAME_CHARACTERS = 1_000;
     /** Enough for 100,000 transitions. */
     private static final int MAX_KEPT_BYTES = 256 << 20;
     /** The approximate memory for an element, besides its texts. */
@@ -100,6 +102,10 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
         factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
         factory.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
         factory.setProperty(XMLConstants.ACCESS_EXTERNAL_DTD, "");
+        // The parser's own limits differ between JDKs, and can be set from outside. The depth is limited here.
+        factory.setProperty("jdk.xml.maxElementDepth", 0);
+        factory.setProperty("jdk.xml.elementAttributeLimit", MAX_NAMES);
+        factory.setProperty("jdk.xml.maxXMLNameLimit", MAX_NAME_CHARACTERS);
         return factory;
     }
 

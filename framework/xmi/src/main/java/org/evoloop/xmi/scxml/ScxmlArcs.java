@@ -13,7 +13,6 @@ import org.evoloop.statechart.Arc;
 import org.evoloop.statechart.Place;
 import org.evoloop.statechart.Spontaneous;
 import org.evoloop.statechart.Vertex;
-import org.evoloop.statechart.Vertex.FinalState;
 import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.statechart.Vertex.Pseudostate;
 import org.evoloop.xmi.dialect.Problems;
@@ -24,19 +23,14 @@ import org.jspecify.annotations.Nullable;
  * Turns the transitions of a document into arcs.
  *
  * <p>A transition without an event is taken as soon as its condition holds. If one of the state's transitions without
- * an event has no condition, it becomes a completion transition; otherwise a change trigger {@code when CONDITION}, as
- * in UML. The event {@code done.state.ID} is the completion of that state.
+ * an event has no condition, it becomes an arc without a trigger; otherwise one with a change trigger {@code when
+ * CONDITION}, as in UML.
  */
 final class ScxmlArcs {
     private final ScxmlTree tree;
     private final ScxmlEvents events;
     private final Problems problems;
     private final Map<String, List<Arc>> arcs = new HashMap<>();
-    /**
-     * An outer state's reactions to the completion of an inner one; they come after the inner state's own transitions.
-     */
-    private final Map<String, List<Arc>> later = new HashMap<>();
-
     private final Map<String, List<Vertex>> forks = new HashMap<>();
     private final Map<ScxmlVertex, List<Arc>> internal = new HashMap<>();
     /**
@@ -44,10 +38,12 @@ final class ScxmlArcs {
      * transition.
      */
     private final Map<Object, ScxmlVertex> taken = new HashMap<>();
+    /** The number of transitions read; see {@link Arc#order}. */
+    private int order;
 
     ScxmlArcs(ScxmlTree tree, Problems problems) {
         this.tree = tree;
-        this.events = new ScxmlEvents(tree, problems);
+        this.events = new ScxmlEvents(tree);
         this.problems = problems;
     }
 
@@ -63,9 +59,7 @@ final class ScxmlArcs {
     }
 
     List<Arc> in(String region) {
-        List<Arc> all = new ArrayList<>(arcs.getOrDefault(region, List.of()));
-        all.addAll(later.getOrDefault(region, List.of()));
-        return all;
+        return arcs.getOrDefault(region, List.of());
     }
 
     List<Vertex> forksIn(String region) {
@@ -120,13 +114,16 @@ final class ScxmlArcs {
                 continue;
             }
             String key = historyKey(history, child);
-            add(arcs, region, new Arc(place, history.key(), key, List.of(), "", List.of(), Arc.Kind.EXTERNAL));
-            ScxmlVertex target = defaults.stream()
-                    .filter(end -> end.isInside(child))
-                    .findFirst()
-                    .orElse(child);
-            add(arcs, region(child), new Arc(place, key, target.key(), List.of(), "", effects, Arc.Kind.EXTERNAL));
-            effects = List.of();
+            add(region, new Arc(place, history.key(), key, List.of(), "", List.of(), Arc.Kind.EXTERNAL));
+            List<ScxmlVertex> inside = defaults.stream()
+                    .filter(end -> end == child || end.isInside(child))
+                    .toList();
+            // A child of which the default says nothing is entered as the parallel state enters it.
+            if (!inside.isEmpty() || defaults.isEmpty()) {
+                String target = inside.isEmpty() ? child.key() : target(inside, label, place);
+                add(region(child), new Arc(place, key, target, List.of(), "", effects, Arc.Kind.EXTERNAL));
+                effects = List.of();
+            }
         }
     }
 
@@ -155,7 +152,6 @@ final class ScxmlArcs {
             return;
         }
         add(
-                arcs,
                 region,
                 new Arc(
                         place,
@@ -198,27 +194,18 @@ final class ScxmlArcs {
         String condition = transition.attribute("cond").strip();
         String event = transition.attribute("event");
         if (!event.isBlank()) {
-            ScxmlEvents.Matched matched = events.matched(event);
-            List<ScxmlVertex> done = free(matched.done(), condition, state);
-            for (ScxmlVertex inner : done) {
-                done(transition, state, inner, targets, label);
-            }
-            events.requireNamed(matched, transition, state, label);
-            List<String> triggers = free(matched.triggers(), condition, state);
-            if (!triggers.isEmpty()) {
-                arc(transition, state, state, targets, triggers, condition, label);
-            } else if (done.isEmpty()) {
-                never(transition, label);
-            }
-        } else if (alwaysLeaves(state)) {
-            requireLasting(transition, state, targets, label);
-            if (free(List.of(""), condition, state).isEmpty()) {
+            List<String> triggers = free(events.matched(event), condition, state);
+            if (triggers.isEmpty()) {
                 never(transition, label);
             } else {
-                arc(transition, state, state, targets, List.of(), condition, label);
+                arc(transition, state, targets, triggers, condition, label);
             }
+        } else if (!alwaysLeaves(state)) {
+            arc(transition, state, targets, List.of("when " + condition), "", label);
+        } else if (free(List.of(""), condition, state).isEmpty()) {
+            never(transition, label);
         } else {
-            arc(transition, state, state, targets, List.of("when " + condition), "", label);
+            arc(transition, state, targets, List.of(), condition, label);
         }
     }
 
@@ -233,7 +220,7 @@ final class ScxmlArcs {
      * The causes that no earlier transition of the state always takes. If several transitions are enabled, SCXML takes
      * the first.
      */
-    private <T> List<T> free(List<T> causes, String condition, ScxmlVertex state) {
+    private List<String> free(List<String> causes, String condition, ScxmlVertex state) {
         if (causes.isEmpty()) {
             return causes;
         }
@@ -241,7 +228,7 @@ final class ScxmlArcs {
         for (int i = 0; i < causes.size(); i++) {
             all &= isFree(causes.get(i), condition, state);
         }
-        List<T> free = all
+        List<String> free = all
                 ? causes
                 : causes.stream()
                         .filter(cause -> isFree(cause, condition, state))
@@ -262,56 +249,15 @@ final class ScxmlArcs {
                 label.get() + " is never taken, since earlier ones always take its events, and is ignored; remove it");
     }
 
-    private void requireLasting(
-            XmlNode transition, ScxmlVertex state, List<ScxmlVertex> targets, Supplier<String> label) {
-        if (state.isComposite() || targets.isEmpty()) {
-            problems.add(
-                    transition.line(),
-                    label.get() + " has no event and leads "
-                            + (targets.isEmpty() ? "nowhere" : "out of a composite state")
-                            + ", so that the state never lasts; give it an event");
-        }
-    }
-
     private static boolean alwaysLeaves(ScxmlVertex state) {
         return state.transitions().stream()
                 .anyMatch(transition -> transition.attribute("event").isBlank()
                         && transition.attribute("cond").isBlank());
     }
 
-    /** @param done the state whose completion triggers the transition */
-    private void done(
-            XmlNode transition,
-            ScxmlVertex state,
-            ScxmlVertex done,
-            List<ScxmlVertex> targets,
-            Supplier<String> label) {
-        boolean own = done == state;
-        boolean outer = done.isInside(state)
-                && (isLocal(transition, state, targets)
-                        || targets.stream().noneMatch(target -> target == state || target.isInside(state)));
-        if (targets.isEmpty() || !(own || outer)) {
-            problems.add(
-                    transition.line(),
-                    label.get() + " waits for " + done.label()
-                            + " to be done, which is supported only for leaving that state; "
-                            + "draw the transition from that state");
-            return;
-        }
-        arc(
-                transition,
-                state,
-                done,
-                targets,
-                List.of(),
-                transition.attribute("cond").strip(),
-                label);
-    }
-
     private void arc(
             XmlNode transition,
             ScxmlVertex state,
-            ScxmlVertex source,
             List<ScxmlVertex> targets,
             List<String> names,
             String guard,
@@ -320,22 +266,16 @@ final class ScxmlArcs {
                 ? names.stream().map(Spontaneous::mark).toList()
                 : names;
         Place place = new Place("", transition.line());
-        String key = source.key();
+        String key = state.key();
         List<String> effects = ScxmlActions.in(transition);
+        order++;
         if (targets.isEmpty()) {
-            internal.computeIfAbsent(source, any -> new ArrayList<>())
-                    .add(new Arc(place, key, key, triggers, guard, effects, Arc.Kind.INTERNAL));
+            internal.computeIfAbsent(state, any -> new ArrayList<>())
+                    .add(new Arc(place, key, key, triggers, guard, effects, Arc.Kind.INTERNAL, order));
             return;
         }
-        boolean local = isLocal(transition, state, targets);
-        if (!local) {
-            requireSameExits(transition, source, targets, label);
-        }
-        Arc.Kind kind = local && source == state ? Arc.Kind.LOCAL : Arc.Kind.EXTERNAL;
-        add(
-                source == state ? arcs : later,
-                region(source),
-                new Arc(place, key, target(targets, label, place), triggers, guard, effects, kind));
+        Arc.Kind kind = isLocal(transition, state, targets) ? Arc.Kind.LOCAL : Arc.Kind.EXTERNAL;
+        add(region(state), new Arc(place, key, target(targets, label, place), triggers, guard, effects, kind, order));
     }
 
     /** SCXML has no keywords, but allows attributes of other namespaces. */
@@ -354,37 +294,7 @@ final class ScxmlArcs {
         return transition.attribute("type").equals("internal")
                 && state.isState()
                 && state.isComposite()
-                && targets.stream().allMatch(target -> target.isInside(state));
-    }
-
-    /** SCXML leaves a parallel state even for a transition within one child of it; UML does not. */
-    private void requireSameExits(
-            XmlNode transition, ScxmlVertex source, List<ScxmlVertex> targets, Supplier<String> label) {
-        if (source.parent() == null) {
-            return;
-        }
-        List<ScxmlVertex> ends = new ArrayList<>(targets);
-        ends.add(source);
-        ScxmlVertex common = ScxmlTree.commonContainer(ends);
-        if (common != null
-                && ScxmlTree.isParallel(common)
-                && ends.stream().map(end -> childOf(common, end)).distinct().count() == 1) {
-            problems.add(
-                    transition.line(),
-                    label.get() + " leaves and enters " + common.label()
-                            + " as a whole, which is not supported; give it type=\"internal\", or draw it from "
-                            + common.node().attribute("id"));
-        }
-    }
-
-    private static ScxmlVertex childOf(ScxmlVertex container, ScxmlVertex vertex) {
-        ScxmlVertex child = vertex;
-        ScxmlVertex parent = child.parent();
-        while (parent != null && parent != container) {
-            child = parent;
-            parent = child.parent();
-        }
-        return child;
+                && targets.stream().allMatch(target -> target.isHistory() || target.isInside(state));
     }
 
     /** The key of the only target, or of a fork to all of them. */
@@ -403,25 +313,12 @@ final class ScxmlArcs {
         String region = region(common);
         forks.computeIfAbsent(region, any -> new ArrayList<>()).add(new Pseudostate(fork, "", place, Kind.FORK));
         for (ScxmlVertex target : targets) {
-            add(arcs, region, new Arc(place, fork, target.key(), List.of(), "", List.of(), Arc.Kind.EXTERNAL));
+            add(region, new Arc(place, fork, target.key(), List.of(), "", List.of(), Arc.Kind.EXTERNAL));
         }
         return fork;
     }
 
-    /** Completes a state as soon as it is entered. */
-    void complete(ScxmlVertex state, FinalState end) {
-        add(
-                arcs,
-                region(state),
-                new Arc(end.place(), state.key(), end.key(), List.of(), "", List.of(), Arc.Kind.EXTERNAL));
-    }
-
-    private static void add(Map<String, List<Arc>> to, String region, Arc arc) {
-        List<Arc> arcs = to.get(region);
-        if (arcs == null) {
-            arcs = new ArrayList<>();
-            to.put(region, arcs);
-        }
-        arcs.add(arc);
+    private void add(String region, Arc arc) {
+        arcs.computeIfAbsent(region, any -> new ArrayList<>()).add(arc);
     }
 }

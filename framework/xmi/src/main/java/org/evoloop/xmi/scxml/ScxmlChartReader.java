@@ -38,7 +38,7 @@ final class ScxmlChartReader {
         }
         arcs.readAll(null);
         Region region = region(null, "", new Place("", document.line()), beginning);
-        return new Statechart(title, region.place(), List.of(region), List.of());
+        return new Statechart(title, region.place(), List.of(region), List.of(), Statechart.Semantics.SCXML);
     }
 
     /** Collects what runs before the first state is entered: the data model's initial values and the scripts. */
@@ -118,41 +118,22 @@ final class ScxmlChartReader {
         }
         if (vertex.isHistory()) {
             vertices.add(new Pseudostate(vertex.key(), vertex.id(), vertex.place(), kind(vertex)));
-        } else if (vertex.isFinal() || vertex.node().attribute("final").equals("true")) {
-            end(vertex, vertices);
+        } else if (vertex.isFinal()) {
+            vertices.add(end(vertex));
         } else {
             vertices.add(state(vertex, regions(vertex)));
         }
     }
 
-    /** A final state. If it has entry or exit actions, it becomes a state that is completed at once. */
-    private void end(ScxmlVertex vertex, List<Vertex> vertices) {
-        String name = vertex.id();
-        Place place = vertex.place();
+    private FinalState end(ScxmlVertex vertex) {
         if (vertex.isComposite() || !vertex.transitions().isEmpty()) {
-            problems.add(place.line(), vertex.label() + " is final but goes on; let it end here");
+            problems.add(vertex.line(), vertex.label() + " is final but goes on; let it end here");
         }
         List<String> entry = Stream.concat(
                         actions(vertex, "onentry").stream(),
                         vertex.elements("donedata").stream().map(ScxmlActions::text))
                 .toList();
-        List<String> exit = actions(vertex, "onexit");
-        if (entry.isEmpty() && exit.isEmpty()) {
-            vertices.add(new FinalState(vertex.key(), name, place));
-            return;
-        }
-        if (!exit.isEmpty() && vertex.parent() != null) {
-            problems.note(
-                    place.line(),
-                    "onexit of " + vertex.label()
-                            + " is run as soon as that is entered, not when the state"
-                            + " around it is left; move it there if that matters");
-        }
-        FinalState end = new FinalState(tree.madeUpKey(), name, place);
-        arcs.complete(vertex, end);
-        vertices.add(new ChartState(
-                vertex.key(), name, place, entry, exit, List.of(), List.of(), List.of(), List.of(), List.of()));
-        vertices.add(end);
+        return new FinalState(vertex.key(), vertex.id(), vertex.place(), entry, actions(vertex, "onexit"));
     }
 
     private List<Region> regions(ScxmlVertex state) {
@@ -173,7 +154,7 @@ final class ScxmlChartReader {
             List<Arc> inRegion = new ArrayList<>();
             inRegion.add(new Arc(child.place(), initial, child.key(), List.of(), "", List.of(), Arc.Kind.EXTERNAL));
             inRegion.addAll(arcs.in(arcs.region(child)));
-            regions.add(new Region(child.id(), child.place(), vertices, inRegion));
+            regions.add(new Region(name(child), child.place(), vertices, inRegion));
         }
         return regions;
     }
@@ -193,6 +174,7 @@ final class ScxmlChartReader {
     }
 
     private ChartState state(ScxmlVertex vertex, List<Region> regions) {
+        noteUnnamed(vertex);
         return new ChartState(
                 vertex.key(),
                 name(vertex),
@@ -214,13 +196,15 @@ final class ScxmlChartReader {
     }
 
     /** The state's id. If it has none, which SCXML allows, its name is made from its line. */
-    private String name(ScxmlVertex state) {
-        if (!state.id().isEmpty()) {
-            return state.id();
+    private static String name(ScxmlVertex state) {
+        return state.id().isEmpty() ? state.node().name() + " of line " + state.line() : state.id();
+    }
+
+    private void noteUnnamed(ScxmlVertex state) {
+        if (state.id().isEmpty()) {
+            problems.note(
+                    state.line(), "state without a name is called " + Problems.quote(name(state)) + "; give it an id");
         }
-        String name = state.node().name() + " of line " + state.line();
-        problems.note(state.line(), "state without a name is called " + Problems.quote(name) + "; give it an id");
-        return name;
     }
 
     private static List<String> actions(ScxmlVertex vertex, String block) {

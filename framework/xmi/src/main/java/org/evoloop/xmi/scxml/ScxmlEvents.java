@@ -8,17 +8,16 @@ import java.util.Map;
 import java.util.NavigableSet;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.evoloop.xmi.dialect.Problems;
-import org.evoloop.xmi.dialect.XmlNode;
-import org.jspecify.annotations.Nullable;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.ModelException;
 
 /**
  * Finds the events that a transition's descriptors match. {@code a} matches {@code a}, {@code a.b} and so on; {@code *}
  * matches everything (SCXML 1.0, section 3.12.1). There are infinitely many such events; used are those named anywhere
- * in the document, and {@code *} for any other.
+ * in the document, and {@code *} for any other. A time trigger is matched only by
+ * itself: it belongs to the state that names it.
  */
 final class ScxmlEvents {
     private static final String DONE = "done.state.";
@@ -30,27 +29,20 @@ final class ScxmlEvents {
             + "|\\S+");
 
     private final ScxmlTree tree;
-    private final Problems problems;
     private final NavigableSet<String> named = new TreeSet<>();
     /** By the attribute as written. */
     private final Map<String, List<String>> descriptors = new HashMap<>();
 
-    private final Map<String, Matched> matched = new HashMap<>();
+    private final Map<String, List<String>> matched = new HashMap<>();
 
-    /**
-     * What the descriptors of an attribute match.
-     *
-     * @param done states whose completion they match
-     * @param triggers names of all other events
-     * @param anyDone whether they match the completion of every state
-     */
-    record Matched(List<ScxmlVertex> done, List<String> triggers, boolean anyDone) {}
-
-    ScxmlEvents(ScxmlTree tree, Problems problems) {
+    ScxmlEvents(ScxmlTree tree) {
         this.tree = tree;
-        this.problems = problems;
         tree.descriptors().forEach(attribute -> descriptors.put(attribute, split(attribute)));
-        descriptors.values().forEach(this::name);
+        descriptors
+                .values()
+                .forEach(names -> names.stream()
+                        .filter(name -> !isDone(name))
+                        .forEach(name -> named.add(name.isEmpty() ? ANY : name)));
     }
 
     /** The descriptors without a suffix {@code .*} or {@code .}, which adds nothing. */
@@ -81,26 +73,19 @@ final class ScxmlEvents {
         return found;
     }
 
-    private void name(List<String> names) {
-        for (String name : names) {
-            if (doneState(name) == null) {
-                named.add(name.isEmpty() ? ANY : name);
-            }
-        }
-    }
-
-    private @Nullable ScxmlVertex doneState(String descriptor) {
-        ScxmlVertex state = descriptor.startsWith(DONE) ? tree.find(descriptor.substring(DONE.length())) : null;
-        return state != null && state.canBeDone() ? state : null;
+    /** Whether this is the event of a state that can become done. */
+    private boolean isDone(String name) {
+        ScxmlVertex state = name.startsWith(DONE) ? tree.find(name.substring(DONE.length())) : null;
+        return state != null && state.canBeDone();
     }
 
     /**
-     * The events that trigger a transition.
+     * The events that trigger a transition. Those that tell that a state is done are matched while the machine runs.
      *
      * @param attribute its descriptors as written
      */
-    Matched matched(String attribute) {
-        Matched known = matched.get(attribute);
+    List<String> matched(String attribute) {
+        List<String> known = matched.get(attribute);
         if (known == null) {
             known = match(attribute);
             matched.put(attribute, known);
@@ -108,39 +93,23 @@ final class ScxmlEvents {
         return known;
     }
 
-    private Matched match(String attribute) {
-        List<ScxmlVertex> done = new ArrayList<>();
+    private List<String> match(String attribute) {
         Set<String> triggers = new LinkedHashSet<>();
-        boolean anyDone = false;
         for (String descriptor : descriptors.getOrDefault(attribute, List.of())) {
-            ScxmlVertex state = doneState(descriptor);
-            if (state != null) {
-                done.add(state);
-            } else if (descriptor.isEmpty()) {
-                triggers.addAll(named);
-                anyDone = true;
-            } else {
-                if (named.contains(descriptor)) {
-                    triggers.add(descriptor);
-                }
-                // Everything that begins with the descriptor and a dot; the slash is the character after the dot.
-                triggers.addAll(named.subSet(descriptor + '.', descriptor + '/'));
-                anyDone |= DONE.startsWith(descriptor + '.');
-            }
+            triggers.add(descriptor.isEmpty() ? ANY : descriptor);
+            // Everything that begins with the descriptor and a dot; the slash is the character after the dot.
+            Set<String> more = descriptor.isEmpty() ? named : named.subSet(descriptor + '.', descriptor + '/');
+            more.stream().filter(name -> !isTime(name)).forEach(triggers::add);
         }
-        return new Matched(List.copyOf(done), List.copyOf(triggers), anyDone);
+        return List.copyOf(triggers);
     }
 
-    /**
-     * Refuses descriptors that match the completion of every state, if one can complete while the transition's state is
-     * active.
-     */
-    void requireNamed(Matched matched, XmlNode transition, ScxmlVertex state, Supplier<String> label) {
-        if (matched.anyDone() && tree.mayHearOfDone(state)) {
-            problems.add(
-                    transition.line(),
-                    label.get() + " matches the events of all states that can be done, which is not supported; "
-                            + "name the events");
+    private static boolean isTime(String name) {
+        try {
+            return new Event(name).timeTrigger().isPresent();
+        } catch (ModelException malformed) {
+            // A time trigger without a unit, which may be given for the whole file.
+            return true;
         }
     }
 }

@@ -112,16 +112,6 @@ final class ScxmlTree {
         return container == null ? outermost : container.inner();
     }
 
-    /** Whether this state or another one can complete while this one is active. */
-    boolean mayHearOfDone(ScxmlVertex state) {
-        return all.stream()
-                .anyMatch(other -> other.canBeDone()
-                        && (other == state
-                                || other.isInside(state)
-                                || (state.isInside(other) && other.isParallel())
-                                || isParallel(commonContainer(List.of(other, state)))));
-    }
-
     static boolean isParallel(@Nullable ScxmlVertex container) {
         return container != null && container.isParallel();
     }

@@ -117,8 +117,9 @@ final class ScxmlVertex {
         return node.name().equals("parallel");
     }
 
+    /** Drafts of SCXML had an attribute for it. */
     boolean isFinal() {
-        return node.name().equals("final");
+        return node.name().equals("final") || node.attribute("final").equals("true");
     }
 
     boolean isHistory() {
@@ -132,7 +133,9 @@ final class ScxmlVertex {
 
     /** Whether SCXML raises an event when it completes. */
     boolean canBeDone() {
-        return isParallel() || inner.stream().anyMatch(ScxmlVertex::isFinal);
+        return isParallel()
+                ? inner.stream().anyMatch(vertex -> !vertex.isHistory())
+                : inner.stream().anyMatch(ScxmlVertex::isFinal);
     }
 
     /** Whether it is inside the container at any depth; everything is inside the root, which is null. */

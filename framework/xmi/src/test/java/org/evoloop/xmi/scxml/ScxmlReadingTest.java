@@ -131,7 +131,7 @@ class ScxmlReadingTest {
     }
 
     @Test
-    void shouldTakeBeingDoneForCompletion() {
+    void shouldTakeBeingDoneForAnEvent() {
         assertThat(ChartText.of(scxml("""
                         <state id='outer'>
                           <state id='inner'><final id='f'/><transition event='done.state.inner' cond='x' target='b'/></state>
@@ -139,8 +139,17 @@ class ScxmlReadingTest {
                           <transition event='done.state.inner' target='c'/>
                         </state>
                         <state id='c'><transition event='done.state.elsewhere' target='b'/></state>""")))
-                .containsSubsequence("  inner -> b : [x]", "  inner -> c")
+                .contains("  inner -> b : done.state.inner [x]", "outer -> c : done.state.inner")
                 .contains("c -> b : done.state.elsewhere");
+    }
+
+    @Test
+    void shouldMatchNoTimeTriggerByPrefix() {
+        assertThat(ChartText.of(scxml("""
+                        <state id='s'><transition event='* after' target='t'/><transition event='PT1' target='s'/></state>
+                        <state id='t'><transition event='after 5 s' target='s'/><transition event='PT1.5S' target='s'/>
+                          <transition event='tm(7)' target='s'/><transition event='e' target='s'/></state>""")))
+                .contains("s -> t : *, PT1, after, e", "t -> s : after 5 s", "t -> s : PT1.5S", "t -> s : tm(7)");
     }
 
     @Test
@@ -151,9 +160,10 @@ class ScxmlReadingTest {
     }
 
     @Test
-    void shouldCompleteAFinalStateThatDoesSomething() {
-        assertThat(ChartText.of(scxml("<final id='f'><onentry><log label='bye'/></onentry></final>")))
-                .containsExactly("INITIAL #1", "state f f entry[log(label='bye')]", "FINAL #2 f", "#1 -> f", "f -> #2");
+    void shouldKeepWhatAFinalStateDoes() {
+        assertThat(ChartText.of(scxml("<final id='f'><onentry><log label='bye'/></onentry>"
+                        + "<onexit><script>over</script></onexit></final>")))
+                .containsExactly("INITIAL #1", "FINAL f f entry[log(label='bye')] exit[over]", "#1 -> f");
     }
 
     @Test

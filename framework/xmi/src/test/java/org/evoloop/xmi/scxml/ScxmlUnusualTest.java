@@ -41,12 +41,21 @@ class ScxmlUnusualTest {
 
     @Test
     void aFinalStateMayDoSomethingOnExit() {
-        String content = "<state id='s'><state id='a'><transition event='e' target='f'/></state>"
-                + "<final id='f'><onexit><script>bye</script></onexit></final></state>";
+        StateMachine inner = flat("<state id='s'><state id='a'><transition event='e' target='f'/></state>"
+                + "<final id='f'><onexit><script>bye</script></onexit></final>"
+                + "<transition event='out' target='b'/></state><state id='b'/>");
+        assertThat(effects(inner, "a", "e")).isEmpty();
+        assertThat(effects(inner, "f", "out")).containsExactly("bye");
 
-        assertThat(ChartText.of(scxml(content))).contains("  state f f exit[bye]");
-        assertThat(flat(content).transitions().get(0).effects()).containsExactly("bye");
-        assertThat(notes(content)).singleElement().asString().contains("onexit of final 'f' is run as soon as");
+        StateMachine outermost = flat("<state id='a'><transition event='e' target='f'/></state>"
+                + "<final id='f'><onentry><script>hi</script></onentry><onexit><script>bye</script></onexit></final>");
+        assertThat(effects(outermost, "a", "e")).containsExactly("hi", "bye");
+    }
+
+    private static List<String> effects(StateMachine machine, String state, String event) {
+        return machine.transition(new State(state), new Event(event))
+                .orElseThrow()
+                .effects();
     }
 
     @Test

@@ -83,6 +83,7 @@ class RecordedTest {
             journal = lives.max(Comparator.naturalOrder()).orElseThrow();
         }
         Files.delete(journal.resolve("0000000001.journal"));
+        Files.createDirectory(journal.resolve("aside"));
 
         assertThat(run("bulb", "--journal=" + journal)).isEqualTo(2);
         assertThat(said()).contains("does not begin with its first record").hasLineCount(1);

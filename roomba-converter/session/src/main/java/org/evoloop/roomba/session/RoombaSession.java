@@ -184,8 +184,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         transmit(command);
     }
 
-    /** Whether the robot does not send, or not yet, though there is a link to it. */
-    private boolean isSilent() {
+    /** Whether the robot does not send, or not yet, though there is a link to it, for example while it is asleep. */
+    public boolean isSilent() {
         return connection.hasLink() && !connection.isUp() && !connection.isDown();
     }
 

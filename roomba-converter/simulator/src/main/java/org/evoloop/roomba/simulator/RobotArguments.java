@@ -1,6 +1,5 @@
 package org.evoloop.roomba.simulator;
 
-import java.nio.file.Path;
 import org.evoloop.roomba.oi.FirmwareVersion;
 import org.evoloop.roomba.oi.StreamFrame.Checksum;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
@@ -14,14 +13,13 @@ import picocli.CommandLine.TypeConversionException;
 /** The command line options for {@link RobotOptions}, which checks the values. */
 final class RobotArguments {
     private static final double MILLIS_PER_SECOND = 1000;
-    private static final Path LIVING_ROOM = Path.of("living-room");
 
     @Option(
             names = "--room",
             paramLabel = "FILE",
             description = "The room it lives in, described below, or living-room, which is included (default: an open "
                     + "plain).")
-    private @Nullable Path room;
+    private @Nullable String room;
 
     @Option(
             names = "--spot-duration",
@@ -127,10 +125,7 @@ final class RobotArguments {
     }
 
     private Room room() {
-        if (room == null) {
-            return Room.OPEN;
-        }
-        return room.equals(LIVING_ROOM) ? RoomFile.livingRoom() : RoomFile.read(room);
+        return room == null ? Room.OPEN : RoomFile.named(room);
     }
 
     /** Made by picocli. */

@@ -69,6 +69,11 @@ public record Situation(
                 end);
     }
 
+    /** The same robot later, when it is silent: nobody knows where it is now and whether it obeys. */
+    public Situation unheard(long laterNanos) {
+        return new Situation(laterNanos, pose, false, obstacle, edge, near, sight, Ending.NONE);
+    }
+
     /** How far the robot must turn to face a place, counterclockwise, -pi to pi. */
     double bearingTo(OdometryPose place) {
         return pose.bearingTo(place.xMm(), place.yMm());

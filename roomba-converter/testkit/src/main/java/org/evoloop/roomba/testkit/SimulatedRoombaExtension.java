@@ -28,9 +28,12 @@ import org.junit.jupiter.api.extension.ExtensionContext;
  * final SimulatedRoombaExtension roomba = SimulatedRoombaExtension.create().speed(20);
  *
  * @Test
- * void itCleans() {
- *     try (MyDriver driver = new MyDriver(roomba.port().toString())) {
- *         roomba.press(Button.CLEAN);
+ * void itCleansWhenItIsTold() throws Exception {
+ *     roomba.press(Button.CLEAN); // switches it on
+ *     roomba.until(robot -> robot.activity() == RobotActivity.ON);
+ *     try (Link driver = SerialLink.open(new SerialSettings(roomba.port().toString()))) {
+ *         driver.send(new Command.Start().bytes());
+ *         driver.send(new Command.Clean().bytes());
  *         roomba.until(robot -> robot.activity() == RobotActivity.CLEAN);
  *     }
  * }

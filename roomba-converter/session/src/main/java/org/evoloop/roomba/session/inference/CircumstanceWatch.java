@@ -8,7 +8,8 @@ import org.evoloop.roomba.oi.SensorValues;
 /**
  * Tracks the robot's circumstances: wheel drops and overcurrents (packets 7 and 14) are trouble, the home base among
  * the charging sources (34) is the dock, and the charging state (21) shows whether the dock fills the battery. Sleep is
- * inferred: the robot has been idle in Passive mode for the time that the specification states, and is silent.
+ * inferred: the robot has been idle in Passive mode for the time that the specification states, and is silent. On its
+ * dock it may fall asleep at any time: it was idle before anybody listened, and its firmware has its own rules there.
  *
  * <p>Time is counted in frames of the stream, one every 15 ms.
  *
@@ -84,7 +85,7 @@ public final class CircumstanceWatch {
 
     /** Whether a robot that falls silent now has fallen asleep. */
     public boolean isDrowsy() {
-        return idleFrames >= DROWSY_FRAMES;
+        return idleFrames >= (now.docked() ? SpotWatch.SURE_FRAMES : DROWSY_FRAMES);
     }
 
     /** It has fallen asleep; returns whether that is a change. */

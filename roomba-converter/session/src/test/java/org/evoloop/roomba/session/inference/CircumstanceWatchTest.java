@@ -66,6 +66,16 @@ class CircumstanceWatchTest {
     }
 
     @Test
+    void onItsDockAnIdleRobotMayFallAsleepAtAnyTime() {
+        frames(10, DOCKED, true);
+        assertThat(watch.isDrowsy()).as("it is about to leave").isFalse();
+        frames(10, DOCKED, false);
+        assertThat(watch.isDrowsy()).isTrue();
+        frames(10, PASSIVE, false);
+        assertThat(watch.isDrowsy()).isFalse();
+    }
+
+    @Test
     void aCorruptedFrameDoesNotKeepItAwake() {
         for (int second = 0; second < 300; second++) {
             frames(66, PASSIVE, false);

@@ -71,6 +71,18 @@ public final class RoomFile {
         }
     }
 
+    /** The name of the room that comes with the simulator. */
+    public static final String LIVING_ROOM_NAME = "living-room";
+
+    /**
+     * The room that an option names: {@value #LIVING_ROOM_NAME}, or a file.
+     *
+     * @throws IllegalArgumentException as {@link #read}
+     */
+    public static Room named(String name) {
+        return name.equals(LIVING_ROOM_NAME) ? livingRoom() : read(Path.of(name));
+    }
+
     /** The living room that comes with the simulator: much furniture, a dock, and a marker behind the robot's back. */
     public static Room livingRoom() {
         try (InputStream file = RoomFile.class.getResourceAsStream(LIVING_ROOM)) {

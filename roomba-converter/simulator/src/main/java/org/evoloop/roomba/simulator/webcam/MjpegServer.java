@@ -22,8 +22,8 @@ import org.jspecify.annotations.Nullable;
  * Serves JPEGs over HTTP, on this machine only: {@value #STREAM} is an endless stream, {@value #FRAME} the next
  * picture, {@code /} a page with the stream. Each client has a thread that sends it the newest picture when it has
  * received the previous one, so a slow client does not delay others. A request that is incomplete after {@value
- * #REQUEST_SECONDS} s is closed, and so is the connection of a client that does not take a picture in that time. A new
- * connection is closed at once if {@value #MOST_CONNECTIONS} are open, or if {@value #MOST_CLIENTS} clients and {@value
+ * #REQUEST_SECONDS} s, or earlier if its thread is needed, is closed, and so is the connection of a client that does not
+ * take a picture in that time. A new connection is closed at once if {@value #MOST_CONNECTIONS} are open, or if {@value #MOST_CLIENTS} clients and {@value
  * #MOST_REQUESTS} requests use all threads.
  */
 final class MjpegServer implements AutoCloseable {
@@ -31,8 +31,8 @@ final class MjpegServer implements AutoCloseable {
     static final String FRAME = "/frame.jpg";
 
     private static final int MOST_CLIENTS = 16;
-    private static final int MOST_REQUESTS = 8;
-    private static final int MOST_CONNECTIONS = 64;
+    private static final int MOST_REQUESTS = 32;
+    private static final int MOST_CONNECTIONS = 512;
     private static final int REQUEST_SECONDS = 10;
     private static final Duration LIMIT = Duration.ofSeconds(REQUEST_SECONDS);
     private static final int ONLY_GET = 405;
@@ -99,8 +99,9 @@ final class MjpegServer implements AutoCloseable {
      * The JDK's server counts a connection until it has sent an answer on it, or this throws an exception. It would
      * count forever one that an exchange closes because the rest of its request cannot be read.
      */
-    private static void answer(HttpExchange exchange, String path, HttpHandler handler) throws IOException {
+    private void answer(HttpExchange exchange, String path, HttpHandler handler) throws IOException {
         try (exchange) {
+            threads.limit(LIMIT);
             if (!exchange.getRequestURI().getPath().equals(path)) {
                 sendText(exchange, NOT_FOUND, "text/plain", "there are /, " + STREAM + " and " + FRAME + "\n");
             } else if (!exchange.getRequestMethod().equals("GET")) {

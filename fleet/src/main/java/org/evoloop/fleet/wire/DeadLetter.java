@@ -1,0 +1,30 @@
+package org.evoloop.fleet.wire;
+
+import java.util.Base64;
+
+/**
+ * A record of {@link Topic#DEAD_LETTERS}: one that could not be processed, and why.
+ *
+ * @param reason the word for a {@link Refusal.Reason}, such as {@code unknown-device}
+ * @param detail the problem, for people
+ * @param topic the name of the topic that the record came from
+ * @param record the record, or only its beginning
+ * @param isWhole whether it is the whole record
+ * @since 0.1
+ */
+@SuppressWarnings("ArrayRecordComponent") // nobody compares letters
+public record DeadLetter(String reason, String detail, String topic, byte[] record, boolean isWhole) {
+    /** @throws Refusal if it is not a dead letter */
+    static DeadLetter read(Reading reading) {
+        try {
+            return new DeadLetter(
+                    reading.text("reason"),
+                    reading.text("detail"),
+                    reading.text("topic"),
+                    Base64.getDecoder().decode(reading.text("record")),
+                    reading.number("bytes", 0) == 0);
+        } catch (IllegalArgumentException e) {
+            throw new Refusal(Refusal.Reason.MALFORMED, "'record' is not in Base64");
+        }
+    }
+}

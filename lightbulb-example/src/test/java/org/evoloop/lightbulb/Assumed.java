@@ -1,0 +1,99 @@
+package org.evoloop.lightbulb;
+
+import java.nio.file.Path;
+import org.evoloop.check.timing.TimeRules;
+import org.evoloop.config.Settings;
+import org.evoloop.console.Console;
+import org.evoloop.converter.EventExecute;
+import org.evoloop.converter.PushMonitor;
+import org.evoloop.converter.StateKnowledge;
+import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.migration.Mapping;
+import org.evoloop.mqtt.BrokerAddress;
+import org.evoloop.service.ServiceOptions;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.testkit.DeviceLine;
+import org.evoloop.time.Clock;
+import org.evoloop.xmi.XmiFile;
+
+/** What the snippets of the guides take for granted; {@link Snippet} compiles them as code of a subclass. */
+@SuppressWarnings("NullAway.Init") // they are compiled only
+abstract class Assumed {
+    SystemEventConverter converter;
+    Console console;
+    Clock clock;
+    BrokerAddress address;
+    ModelPair models;
+    StateMachine original;
+    StateMachine evolved;
+    Mapping mapping;
+    Path file;
+    Settings settings;
+    ServiceOptions unattended;
+    Lamp lamp;
+    Receiver receiver;
+    Kettle kettle;
+
+    /** The code of a snippet of statements. */
+    interface Statements {
+        void run() throws Exception;
+    }
+
+    /** The same, with a result. */
+    interface Answer {
+        Object run() throws Exception;
+    }
+
+    void shown(Statements statements) {}
+
+    void shown(Answer answer) {}
+
+    interface Receiver {
+        String poll();
+    }
+
+    interface Kettle {
+        double celsius();
+    }
+
+    record Models(XmiFile machines, ModelPair pair, TimeRules rules) {
+        static Models read(Path file) {
+            throw new UnsupportedOperationException(file.toString());
+        }
+    }
+
+    static class RobotKnowledge extends StateKnowledge {
+        RobotKnowledge(ModelPair models) {
+            super(models);
+        }
+    }
+
+    static class RobotLink {
+        RobotLink(DeviceLine line) {}
+
+        PushMonitor monitor() {
+            throw new UnsupportedOperationException();
+        }
+
+        EventExecute execute() {
+            throw new UnsupportedOperationException();
+        }
+    }
+}
+
+interface Pump {
+    void in();
+
+    void out();
+
+    void stop();
+
+    boolean isFull();
+}
+
+interface Room {
+    double celsius();
+
+    void heat(boolean on);
+}
