@@ -49,6 +49,7 @@ final class Rehearsal extends Chronicle {
         follow(core);
     }
 
+    /** Which presses were too old is known from the converter. */
     private static Rules withRoom(Rules rules, int capacity) {
         return new Rules(rules.table(), rules.timers(), capacity);
     }
@@ -102,6 +103,10 @@ final class Rehearsal extends Chronicle {
         observing = true;
         input.run();
         observing = false;
+        if (!core.doubt().isEmpty()) {
+            // The converter has asked the device, and what that has answered comes as a finding.
+            core.restore(core.rules(), core.snapshot().withoutDoubt());
+        }
         if (lost) {
             core.restore(rules, core.snapshot());
         }
@@ -200,7 +205,9 @@ final class Rehearsal extends Chronicle {
     /** What a component did to the event before the models decided, or by a rule of its own, it does here, too. */
     private void plan(Pending pending, @Nullable Ending recorded, long atNanos) {
         long number = pending.number();
-        if (recorded != null && recorded.ended().decision() instanceof Decision.Refused refused) {
+        if (recorded != null && recorded.isTooOld()) {
+            core.dismissed(number, atNanos);
+        } else if (recorded != null && recorded.ended().decision() instanceof Decision.Refused refused) {
             core.planned(number, new Decision.Refused(core.at(), refused.reason()), atNanos);
         } else if (recorded == null || !recorded.undecided()) {
             core.planned(number, decide(pending, recorded == null ? Set.of() : recorded.guards()), atNanos);

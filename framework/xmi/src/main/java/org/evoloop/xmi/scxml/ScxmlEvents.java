@@ -13,8 +13,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
-import org.jspecify.annotations.Nullable;
 import org.evoloop.xmi.dialect.XmlNode;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Finds the events that a transition's descriptors match. {@code a} matches {@code a}, {@code a.b} and so on; {@code *}
