@@ -190,26 +190,30 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
      * number is 0 if it has not been observed yet.
      */
     public final @Nullable Pending upcoming() {
-        if (ledger.progress.isInterrupted()) {
+        if (ledger.progress.isInterrupted() && !isTooOldToResume(ledger.progress.pending())) {
             return ledger.progress.pending();
         }
-        boolean owed = ledger.followOwed
-                && ledger.line.first(pending ->
-                                pending.hasHappened() && outOfDate(pending).isEmpty())
-                        == null;
-        return owed
-                ? finding(0)
-                : ledger.line.first(pending -> outOfDate(pending).isEmpty());
+        boolean owed =
+                ledger.followOwed && ledger.line.first(pending -> pending.hasHappened() && mayBegin(pending)) == null;
+        return owed ? finding(0) : ledger.line.first(this::mayBegin);
+    }
+
+    private boolean mayBegin(Pending pending) {
+        return outOfDate(pending).isEmpty() && !ledger.rules.isTooOld(pending, ledger.nowNanos);
     }
 
     /** An interrupted plan goes on, unless it would send something for a press that has become too old meanwhile. */
     private void resume(Pending pending) {
-        if (ledger.rules.isTooOld(pending, ledger.nowNanos) && ledger.progress.step() != null) {
+        if (isTooOldToResume(pending)) {
             conclude(pending.number(), ledger.progress.stepsSent() == 0 ? Outcome.STALE : Outcome.FAILED, age(pending));
         } else {
             ledger.progress.resume();
             ledger.out.begin(pending);
         }
+    }
+
+    private boolean isTooOldToResume(Pending pending) {
+        return ledger.rules.isTooOld(pending, ledger.nowNanos) && ledger.progress.step() != null;
     }
 
     /** For people. */

@@ -5,7 +5,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.evoloop.evolution.Configuration;
-import org.evoloop.evolution.Occurrence;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
@@ -59,27 +58,14 @@ public record Snapshot(
     public Snapshot lastFirst() {
         List<Pending> order = new ArrayList<>(waiting);
         order.add(0, order.remove(order.size() - 1));
-        return with(doubt, order);
-    }
-
-    /** A copy in which the record is certain, so that the device need not be asked. */
-    public Snapshot withoutDoubt() {
-        return with(
-                null,
-                waiting.stream()
-                        .filter(pending -> !(pending.occurrence() instanceof Occurrence.InDoubt))
-                        .toList());
-    }
-
-    private Snapshot with(@Nullable Doubt otherDoubt, List<Pending> otherWaiting) {
         return new Snapshot(
                 open,
                 at,
-                otherDoubt,
+                doubt,
                 steps,
                 lastStepNanos,
                 visit,
-                List.copyOf(otherWaiting),
+                List.copyOf(order),
                 losing,
                 followOwed,
                 work,

@@ -33,11 +33,6 @@ public record Ending(
         guards = Set.copyOf(guards);
     }
 
-    /** Whether it is a press that was too old when its turn came. */
-    boolean isTooOld() {
-        return ended.outcome() == Outcome.STALE && ended.occurrence().source().isButton();
-    }
-
     /**
      * Why {@code step} of other models fails, since it failed here; empty if it succeeds.
      *

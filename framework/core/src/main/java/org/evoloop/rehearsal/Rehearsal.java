@@ -49,9 +49,8 @@ final class Rehearsal extends Chronicle {
         follow(core);
     }
 
-    /** Which presses were too old is known from the converter. */
     private static Rules withRoom(Rules rules, int capacity) {
-        return new Rules(rules.table(), rules.timers(), capacity);
+        return new Rules(rules.table(), rules.timers(), capacity, rules.pressAge());
     }
 
     @Override
@@ -103,14 +102,11 @@ final class Rehearsal extends Chronicle {
         observing = true;
         input.run();
         observing = false;
-        if (!core.doubt().isEmpty()) {
-            // The converter has asked the device, and what that has answered comes as a finding.
-            core.restore(core.rules(), core.snapshot().withoutDoubt());
-        }
         if (lost) {
             core.restore(rules, core.snapshot());
         }
-        return observed() > before ? observed() : 0;
+        // A doubt that it raises is counted after it.
+        return observed() > before ? before + 1 : 0;
     }
 
     /** Tells the time: a timer of no visit does nothing else. */
@@ -147,9 +143,7 @@ final class Rehearsal extends Chronicle {
 
     /** Whether an occurrence is in progress, and does not wait until the converter is opened. */
     boolean isUnderWay() {
-        Pending present = begun();
-        Pending upcoming = core.upcoming();
-        return core.isBusy() && !(upcoming != null && present != null && upcoming.number() == present.number());
+        return core.isBusy() && !core.isInterrupted();
     }
 
     /** Begins what is upcoming; null if nothing has begun. */
@@ -205,9 +199,7 @@ final class Rehearsal extends Chronicle {
     /** What a component did to the event before the models decided, or by a rule of its own, it does here, too. */
     private void plan(Pending pending, @Nullable Ending recorded, long atNanos) {
         long number = pending.number();
-        if (recorded != null && recorded.isTooOld()) {
-            core.dismissed(number, atNanos);
-        } else if (recorded != null && recorded.ended().decision() instanceof Decision.Refused refused) {
+        if (recorded != null && recorded.ended().decision() instanceof Decision.Refused refused) {
             core.planned(number, new Decision.Refused(core.at(), refused.reason()), atNanos);
         } else if (recorded == null || !recorded.undecided()) {
             core.planned(number, decide(pending, recorded == null ? Set.of() : recorded.guards()), atNanos);
