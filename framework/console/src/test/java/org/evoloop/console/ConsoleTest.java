@@ -61,7 +61,8 @@ class ConsoleTest {
                         states      original on, new on; last known, since then
                         now         events are refused until start
                         queue       0 waiting, highest 1, room for 8 presses; 0 dropped, 2 refused
-                        events      1 handled, 0 ignored, 0 stale, 0 failed, 0 in progress, of 3 observed
+                        events      1 handled, 0 ignored, 0 stale, 0 failed, 0 in progress, of 3
+                                    observed
                         conversion  last 0 us, median 0 us, 99th percentile 0 us
                         """ + FRESH_COMPONENTS);
     }

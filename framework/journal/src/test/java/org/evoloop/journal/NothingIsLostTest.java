@@ -144,8 +144,9 @@ class NothingIsLostTest {
                     .isEqualTo(last.events());
             assertThat(recovered.queue().dropped()).isEqualTo(last.queue().dropped());
             assertThat(recovered.queue().refused()).isEqualTo(last.queue().refused());
-            // In doubt, the device is asked once more.
-            assertThat(sum(recovered)).isBetween(sum(last), sum(last) + 1);
+            // In doubt, the device is asked once more, if that does not already wait.
+            assertThat(sum(recovered))
+                    .isBetween(sum(last), sum(last) + (last.doubt().isEmpty() ? 0 : 1));
         }
         clock.close();
     }
