@@ -184,7 +184,7 @@ public final class StateMachineBuilder {
     }
 
     private static Event drawn(String event) {
-        Matcher guarded = GUARDED.matcher(event);
+        Matcher guarded = GUARDED.matcher(requireNonNull(event, "the name of an event is null"));
         return guarded.matches()
                 ? new Event(
                         guarded.group(1),
