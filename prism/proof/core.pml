@@ -120,7 +120,7 @@ hidden byte i, j, k, at_state, before_state, target, number;
 hidden byte entries; /* visits that began during the current input */
 hidden byte kept_fact[FACTS];
 hidden byte noted_id, noted_event, noted_source, ended_kind, timer;
-hidden byte flag, sure, as_planned, goes_on, leaves;
+hidden byte flag, sure, as_planned, goes_on, leaves, possible, was_sending;
 hidden int code;
 
 #define COPY(to, from_) to.id = from_.id; to.kind = from_.kind; to.what = from_.what; to.source = from_.source; \
@@ -333,7 +333,25 @@ inline no_doubt() {
   od
 }
 
-inline settle_doubt() { doubt = (doubt == UNSETTLED -> SETTLED : doubt) }
+/* A doubt that is about no step ends when it is settled. */
+inline settle_doubt() {
+  if
+  :: doubt == UNSETTLED && doubt_event == NONE -> no_doubt()
+  :: else -> doubt = (doubt == UNSETTLED -> SETTLED : doubt)
+  fi
+}
+
+/* Ledger.contradicted: the device has reported what it cannot have done from its recorded state. */
+inline contradicted() {
+  owed = 1;
+  if
+  :: doubt == UNSETTLED -> skip
+  :: else ->
+    doubt = UNSETTLED;
+    doubt_steps = NEVER_KNOWN;
+    ask_where()
+  fi
+}
 
 inline happens_meanwhile(what_) {
   if
@@ -383,6 +401,38 @@ inline always_ends_in(end, event, source) {
     :: i < k -> follows(before_state, kept_fact[i])
     :: else -> skip
     fi;
+    i++
+  :: else -> break
+  od
+}
+
+/* DecisionTable.isImpossible: the device has the event in other states only. */
+#define IS_IMPOSSIBLE(state, event) (has_table[event] && OWN(state, event) == NONE)
+
+/*
+ * Overlap.impossible: `possible` says whether the device can have done the `k` facts in `kept_fact` from `source` on, in some
+ * order with the step `event`, or, if `last`, before it.
+ */
+inline can_have_happened(source, event, last) {
+  possible = 0;
+  i = (last -> k : 0);
+  do
+  :: i <= k ->
+    at_state = source;
+    flag = 1;
+    j = 0;
+    do
+    :: j < k ->
+      if
+      :: j == i && (event) != NONE -> at_state = (OWN(at_state, event) != NONE -> OWN(at_state, event) : at_state)
+      :: else -> skip
+      fi;
+      flag = flag && !(kept_fact[j] < FOUND_IN && IS_IMPOSSIBLE(at_state, kept_fact[j]));
+      follows(at_state, kept_fact[j]);
+      j++
+    :: else -> break
+    od;
+    possible = possible || flag;
     i++
   :: else -> break
   od

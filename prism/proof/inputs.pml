@@ -97,7 +97,9 @@ inline observed_heard(event, source_, visit_, acted_) {
   if
   :: !knows_table[IX(pair, 0, 0, next_one.what)] && (open || next_one.acted) -> not_taken()
   :: (knows_table[IX(pair, 0, 0, next_one.what)] || !(open || next_one.acted)) &&
-     (next_one.acted || is_own_table[next_one.what]) -> follow_device()
+     (next_one.acted || (is_own_table[next_one.what] && next_one.source != BUTTON)) -> follow_device()
+  :: knows_table[IX(pair, 0, 0, next_one.what)] && !next_one.acted && is_own_table[next_one.what] &&
+     next_one.source == BUTTON -> not_taken()
   :: else -> asked_for()
   fi
 }
@@ -137,7 +139,15 @@ inline follow_device() {
 #ifndef FACTS_WAIT_FOR_THEIR_TURN
   device_at = (target != NONE -> target : device_at);
 #endif
-  enqueue(at_state, target)
+  code = next_one.what;
+  possible = !(IS_IMPOSSIBLE(at_state, code) && !(busy && stage == SENDING));
+  enqueue(at_state, target);
+  if
+  :: !possible ->
+    device_at = (only_table[code] != NONE -> only_table[code] : device_at);
+    contradicted()
+  :: else -> skip
+  fi
 #ifdef A_CLOSED_CONVERTER_HEARS_NO_FACTS
   fi
 #endif

@@ -156,7 +156,7 @@ inline sending(id_) {
 #ifdef AN_OVERTAKEN_STEP_IS_SENT_ALL_THE_SAME
     :: true ->
 #else
-    :: step_source == device_at ->
+    :: step_source == device_at && !(waiting > 0 && line[0].kind == IN_DOUBT) ->
 #endif
       stage = SENDING;
       forget_facts()
@@ -202,7 +202,12 @@ inline took(in_order) {
   :: else -> again()
   fi;
   if
-  :: sure -> skip
+  :: sure ->
+    can_have_happened(noted_source, noted_event, in_order);
+    if
+    :: possible -> skip
+    :: else -> contradicted()
+    fi
   :: else ->
     doubt_step(noted_id, noted_event, noted_source)
 #ifdef THE_ORDER_IS_NEVER_IN_DOUBT
@@ -230,7 +235,7 @@ inline took_late(id_, in_order) {
     keep_doubts_facts();
     always_ends_in(target, doubt_event, doubt_source);
     if
-    :: doubt_id == (id_) && (in_order -> (doubt == SETTLED || doubt_steps == SAME)
+    :: doubt_event != NONE && doubt_id == (id_) && (in_order -> (doubt == SETTLED || doubt_steps == SAME)
                                       : (doubt_steps == SAME && !(busy && stage == SENDING) && sure)) ->
       settle_doubt();
       if
@@ -323,7 +328,20 @@ inline failed(id_) {
 #ifdef A_STATE_IS_NOT_ENTERED_AGAIN
   :: busy && work.id == (id_) -> end_work(); ended()
 #else
-  :: busy && work.id == (id_) -> break_off()
+  :: busy && work.id == (id_) ->
+    was_sending = stage == SENDING;
+    keep_facts();
+    note_step();
+    break_off();
+    if
+    :: was_sending ->
+      can_have_happened(noted_source, NONE, true);
+      if
+      :: possible -> skip
+      :: else -> contradicted()
+      fi
+    :: else -> skip
+    fi
 #endif
   :: else -> skip
   fi

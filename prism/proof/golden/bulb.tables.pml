@@ -27,6 +27,8 @@ hidden int fate_table[2 * DEVICE1 * SYSTEM1 * EVENTS1];
 hidden int knows_table[2 * DEVICE1 * SYSTEM1 * EVENTS1];
 hidden byte own_table[DEVICE1 * EVENTS1];
 hidden byte is_own_table[EVENTS1];
+hidden byte has_table[EVENTS1];
+hidden byte only_table[EVENTS1];
 inline choose_button() {
   if
   :: event = 1
@@ -50,6 +52,7 @@ inline choose_own() {
 }
 #define CAN_ACT (OWN(device, 1) != 0)
 #else
+has_table[1] = 1;
 own_table[1 * EVENTS1 + 1] = 2;
 own_table[2 * EVENTS1 + 1] = 1;
 knows_table[IX(0, 0, 0, 1)] = 1;

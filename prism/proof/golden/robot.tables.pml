@@ -36,6 +36,8 @@ hidden int fate_table[2 * DEVICE1 * SYSTEM1 * EVENTS1];
 hidden int knows_table[2 * DEVICE1 * SYSTEM1 * EVENTS1];
 hidden byte own_table[DEVICE1 * EVENTS1];
 hidden byte is_own_table[EVENTS1];
+hidden byte has_table[EVENTS1];
+hidden byte only_table[EVENTS1];
 inline choose_button() {
   if
   :: event = 1
@@ -66,11 +68,16 @@ inline choose_own() {
 }
 #define CAN_ACT (OWN(device, 3) != 0 || OWN(device, 1) != 0 || OWN(device, 2) != 0)
 #else
+has_table[1] = 1;
 own_table[1 * EVENTS1 + 1] = 2;
 own_table[2 * EVENTS1 + 1] = 3;
 own_table[3 * EVENTS1 + 1] = 2;
+has_table[2] = 1;
+only_table[2] = 4;
 own_table[2 * EVENTS1 + 2] = 4;
 is_own_table[3] = 1;
+has_table[3] = 1;
+only_table[3] = 2;
 own_table[4 * EVENTS1 + 3] = 2;
 knows_table[IX(0, 0, 0, 1)] = 1;
 knows_table[IX(0, 0, 0, 2)] = 1;

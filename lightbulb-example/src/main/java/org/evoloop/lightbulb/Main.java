@@ -106,8 +106,10 @@ public final class Main {
     }
 
     /** Without its wires and its journal. */
-    private static SystemEventConverter converter(ModelPair models, PushMonitor wallSwitch, Lamp lamp, Clock clock) {
-        SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
+    private static SystemEventConverter converter(
+            ModelPair models, PushMonitor wallSwitch, Lamp lamp, ServiceOptions unattended, Clock clock) {
+        SystemEventConverter converter =
+                new SystemEventConverter(LoopConfig.defaults("lamp", clock).withPressAge(unattended.pressAge()));
         converter.addMonitor(wallSwitch);
         converter.addExecute(new LampExecute(lamp));
         converter.addKnowledge(new LampKnowledge(models, lamp));
@@ -138,7 +140,7 @@ public final class Main {
         try (Service service = Service.open(unattended);
                 Clock clock = new SystemClock();
                 Wiring wiring = new Wiring(settings)) {
-            SystemEventConverter converter = converter(models, wallSwitch, lamp, clock);
+            SystemEventConverter converter = converter(models, wallSwitch, lamp, unattended, clock);
             wiring.connect(converter, lamp, clock);
             converter.watch((running, at, nanos) ->
                     running.equals(models) ? new TimeWatch(read.rules(), running, at, nanos) : null);

@@ -204,12 +204,14 @@ final class RoombaCommand implements Callable<Integer> {
             throws IOException, InterruptedException {
         double pace = pace();
         Optional<Eyes> eyes = options.eyes(pace, world == null ? Optional.empty() : world.camera());
-        RoombaOptions read =
-                options.read(pace, eyes, ServiceOptions.of(settings).journal());
+        ServiceOptions unattended = ServiceOptions.of(settings);
+        RoombaOptions read = options.read(pace, eyes, unattended.journal());
         try (Clock clock = new SystemClock(pace);
                 RobotGuard guard = world == null && !noGuard ? new RobotGuard(robotPort) : null;
                 RoombaConverter roomba = connect(
-                        guard == null ? cable(robotPort) : guard.cable(cable(robotPort)), config(clock, pace), read)) {
+                        guard == null ? cable(robotPort) : guard.cable(cable(robotPort)),
+                        config(clock, pace, unattended.pressAge()),
+                        read)) {
             if (guard != null) {
                 roomba.converter().addLink(guard.watch(roomba.session()));
             }
@@ -288,11 +290,19 @@ final class RoombaCommand implements Callable<Integer> {
                 Duration.ofMillis(Math.round(usual.silenceLimit().toMillis() * Math.max(1, pace))));
     }
 
-    /** Limits are in real time: a fast simulation does not make its computer faster. */
+    /** The usual limits. */
     static LoopConfig config(Clock clock, double pace) {
+        return config(clock, pace, ServiceOptions.none().pressAge());
+    }
+
+    /** Limits are in real time: a fast simulation does not make its computer faster, nor the people who press. */
+    private static LoopConfig config(Clock clock, double pace, Duration pressAge) {
         LoopConfig usual = LoopConfig.defaults("roomba", clock);
-        return usual.withStepLimit(
-                Duration.ofMillis(Math.round(usual.stepLimit().toMillis() * Math.max(1, pace))));
+        return usual.withStepLimit(atLeast(usual.stepLimit(), pace)).withPressAge(atLeast(pressAge, pace));
+    }
+
+    private static Duration atLeast(Duration real, double pace) {
+        return Duration.ofMillis(Math.round(real.toMillis() * Math.max(1, pace)));
     }
 
     private static String event(RobotModels models, String button) {

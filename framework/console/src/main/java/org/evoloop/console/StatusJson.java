@@ -16,7 +16,8 @@ import org.jspecify.annotations.Nullable;
  *   2026-11-22T15:04:05.123Z}; {@code null} while the loop is open and the device can be reached
  *   <li>{@code queue}: {@code depth}, {@code capacity}, {@code highest}, {@code taken}, {@code dropped}, {@code
  *   refused}
- *   <li>{@code events}: {@code handled}, {@code ignored}, {@code stale}, {@code failed}
+ *   <li>{@code events}, all at one moment: {@code observed}, which is the sum of {@code handled}, {@code ignored}, {@code
+ *   stale}, {@code failed}, {@code dropped}, {@code refused}, {@code waiting} and {@code inProgress}
  *   <li>{@code conversionTime}: {@code events}, {@code lastNanos}, {@code medianNanos}, {@code percentile99Nanos}
  *   <li>{@code components}, a list: {@code name}, {@code role} (monitor, analyze, plan, execute), {@code thread},
  *   {@code activity} (waiting, working, stuck, ended), {@code failures}, {@code lastFailure}
@@ -65,10 +66,15 @@ public final class StatusJson {
                 .put(
                         "events",
                         new JsonObject()
+                                .put("observed", status.events().observed())
                                 .put("handled", status.events().handled())
                                 .put("ignored", status.events().ignored())
                                 .put("stale", status.events().stale())
-                                .put("failed", status.events().failed()))
+                                .put("failed", status.events().failed())
+                                .put("dropped", status.events().dropped())
+                                .put("refused", status.events().refused())
+                                .put("waiting", status.events().waiting())
+                                .put("inProgress", status.events().inProgress()))
                 .put(
                         "conversionTime",
                         new JsonObject()

@@ -3,6 +3,7 @@ package org.evoloop.console;
 import static org.evoloop.console.StatusJson.lowerCase;
 
 import java.io.PrintStream;
+import java.time.Duration;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
@@ -24,6 +25,9 @@ final class StatusText {
     private static final DateTimeFormatter TIME_OF_DAY = DateTimeFormatter.ofPattern("HH:mm:ss.SSS", Locale.ROOT);
 
     private static final DateTimeFormatter SECOND = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm:ss", Locale.ROOT);
+
+    /** An event that took less is shown without the time when it was observed. */
+    private static final Duration NOTICEABLE = Duration.ofSeconds(1);
 
     private static final int MOST_TROUBLES = 5;
 
@@ -70,18 +74,20 @@ final class StatusText {
         line(
                 out,
                 "queue",
-                status.queue().depth() + " waiting, highest "
+                status.events().waiting() + " waiting, highest "
                         + status.queue().highest() + ", room for "
                         + status.queue().capacity() + " presses; "
-                        + status.queue().dropped() + " dropped, "
-                        + status.queue().refused() + " refused");
+                        + status.events().dropped() + " dropped, "
+                        + status.events().refused() + " refused");
         line(
                 out,
                 "events",
                 status.events().handled() + " handled, "
                         + status.events().ignored() + " ignored, "
                         + status.events().stale() + " stale, "
-                        + status.events().failed() + " failed");
+                        + status.events().failed() + " failed, "
+                        + status.events().inProgress() + " in progress, of "
+                        + status.events().observed() + " observed");
         line(out, "conversion", conversionTime(status.conversionTime()));
         components(status.components(), out);
         for (ConverterStatus.Fault fault : status.faults()) {
@@ -212,6 +218,13 @@ final class StatusText {
         }
     }
 
+    /** When a control was operated, if that was noticeably before the event ended. */
+    private static String pressed(HistoryEntry entry) {
+        return entry.occurrence().source().isButton() && entry.took().compareTo(NOTICEABLE) >= 0
+                ? ", pressed " + TIME_OF_DAY.format(entry.observedAt().atZone(ZoneId.systemDefault()))
+                : "";
+    }
+
     /** One line per event. */
     static void history(List<HistoryEntry> entries, PrintStream out) {
         for (HistoryEntry entry : entries) {
@@ -220,7 +233,7 @@ final class StatusText {
                     : entry.before() + " -> " + entry.after();
             out.println(Names.inOneLine(
                     entry.number() + "  " + TIME_OF_DAY.format(entry.at().atZone(ZoneId.systemDefault())) + "  "
-                            + entry.occurrence() + "  " + change + "  " + lowerCase(entry.outcome())
+                            + entry.occurrence() + pressed(entry) + "  " + change + "  " + lowerCase(entry.outcome())
                             + (entry.detail().isEmpty() ? "" : ": " + entry.detail())));
         }
     }

@@ -61,7 +61,8 @@ class ConsoleTest {
                         states      original on, new on; last known, since then
                         now         events are refused until start
                         queue       0 waiting, highest 1, room for 8 presses; 0 dropped, 2 refused
-                        events      1 handled, 0 ignored, 0 stale, 0 failed
+                        events      1 handled, 0 ignored, 0 stale, 0 failed, 0 in progress, of 3
+                                    observed
                         conversion  last 0 us, median 0 us, 99th percentile 0 us
                         """ + FRESH_COMPONENTS);
     }
@@ -77,7 +78,8 @@ class ConsoleTest {
                         "\n{\"name\":\"lamp\",\"loop\":\"running\",\"originalState\":\"off\",\"newState\":\"off\",\"evolution\":\"\",\"shadow\":\"\",\"doubt\":\"\",\"lastKnownSince\":null,"
                                 + "\"queue\":{\"depth\":0,\"capacity\":8,\"highest\":0,"
                                 + "\"taken\":0,\"dropped\":0,\"refused\":0},"
-                                + "\"events\":{\"handled\":0,\"ignored\":0,\"stale\":0,\"failed\":0},"
+                                + "\"events\":{\"observed\":0,\"handled\":0,\"ignored\":0,\"stale\":0,\"failed\":0,\"dropped\":0,"
+                                + "\"refused\":0,\"waiting\":0,\"inProgress\":0},"
                                 + "\"conversionTime\":{\"events\":0,\"lastNanos\":0,\"medianNanos\":0,"
                                 + "\"percentile99Nanos\":0},"
                                 + "\"components\":["

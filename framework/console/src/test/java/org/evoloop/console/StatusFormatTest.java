@@ -34,7 +34,7 @@ class StatusFormatTest {
             "",
             Optional.empty(),
             new QueueStatus(2, 8, 5, 40, 1, 3),
-            new ConverterStatus.EventCounts(30, 4, 2, 1),
+            new ConverterStatus.EventCounts(44, 30, 4, 2, 1, 1, 3, 2, 1),
             new ConverterStatus.ConversionTime(33, 180_499, 999_499, 12_340_000),
             List.of(
                     new ComponentStatus(
@@ -100,7 +100,7 @@ class StatusFormatTest {
                 .containsSubsequence(
                         "function    thread function-Move-7",
                         "queue       2 waiting, highest 5, room for 8 presses; 1 dropped, 3 refused",
-                        "events      30 handled, 4 ignored, 2 stale, 1 failed",
+                        "events      30 handled, 4 ignored, 2 stale, 1 failed, 1 in progress, of 44 observed",
                         "conversion  last 180 us, median 999 us, 99th percentile 12.3 ms",
                         "monitor     Panel   waiting  mapek-robot-monitor-Panel")
                 .anyMatch(line -> line.startsWith("execute     Motors  stuck    mapek-robot-execute-Motors"
@@ -115,7 +115,8 @@ class StatusFormatTest {
                         "{\"name\":\"robot\",\"loop\":\"running\",\"originalState\":\"On\",\"newState\":\"Move\",\"evolution\":\"\",\"shadow\":\"\",\"doubt\":\"\",\"lastKnownSince\":null,"
                                 + "\"queue\":{\"depth\":2,\"capacity\":8,\"highest\":5,"
                                 + "\"taken\":40,\"dropped\":1,\"refused\":3},"
-                                + "\"events\":{\"handled\":30,\"ignored\":4,\"stale\":2,\"failed\":1},"
+                                + "\"events\":{\"observed\":44,\"handled\":30,\"ignored\":4,\"stale\":2,\"failed\":1,"
+                                + "\"dropped\":1,\"refused\":3,\"waiting\":2,\"inProgress\":1},"
                                 + "\"conversionTime\":{\"events\":33,\"lastNanos\":180499,\"medianNanos\":999499,"
                                 + "\"percentile99Nanos\":12340000},\"components\":[")
                 .contains("\"activity\":\"stuck\",\"failures\":2,"

@@ -13,7 +13,6 @@ import org.evoloop.core.Output;
 import org.evoloop.core.Rules;
 import org.evoloop.core.Sentry;
 import org.evoloop.core.Swap;
-import org.evoloop.core.Tally;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.loop.Component;
@@ -69,7 +68,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
         this.visits = new Visits(config, knowledge, books.transcript(), books.failures());
         Watchman watchman = new Watchman(config.clock(), posting);
         this.driver = new CoreDriver(
-                new Rules(table, first::timersOf, config.queueCapacity()),
+                new Rules(table, first::timersOf, config.queueCapacity(), config.pressAge()),
                 config.clock(),
                 knowledge,
                 books,
@@ -157,7 +156,12 @@ final class ConverterShell implements LoopListener<Occurrence> {
     /** Attaches a component to this converter. */
     void attach(Component component) {
         if (component instanceof EventMonitor monitor) {
-            monitor.attach(config, loop, knowledge.get().eventNames(), driver::holding);
+            monitor.attach(
+                    config,
+                    loop,
+                    knowledge.get().eventNames(),
+                    driver::holding,
+                    event -> driver.rules().table().isDevicesOwn(event));
         } else if (component instanceof EventAnalyze analyze) {
             analyze.attach(driver);
         } else if (component instanceof EventPlan plan) {
@@ -256,8 +260,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
     }
 
     ConverterStatus.EventCounts counts() {
-        Tally tally = driver.tally();
-        return new ConverterStatus.EventCounts(tally.handled(), tally.ignored(), tally.stale(), tally.failed());
+        return driver.counts();
     }
 
     // LoopListener

@@ -82,8 +82,24 @@ public record ConverterStatus(
         return found;
     }
 
-    /** The number of events by outcome, see {@link org.evoloop.core.Outcome}. */
-    public record EventCounts(long handled, long ignored, long stale, long failed) {}
+    /**
+     * The number of events at one moment. Those observed are the sum of all others.
+     *
+     * @param handled by outcome, as the next four, see {@link org.evoloop.core.Outcome}
+     * @param refused those that came, or waited, while the loop was closed
+     * @param waiting those that wait for their turn
+     * @param inProgress those that have it: one or none
+     */
+    public record EventCounts(
+            long observed,
+            long handled,
+            long ignored,
+            long stale,
+            long failed,
+            long dropped,
+            long refused,
+            long waiting,
+            long inProgress) {}
 
     /**
      * Time from the observation of an event to the start of its execution, in nanoseconds of the converter's clock,

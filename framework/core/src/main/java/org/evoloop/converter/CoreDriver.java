@@ -245,6 +245,20 @@ final class CoreDriver {
         return core.tally();
     }
 
+    synchronized ConverterStatus.EventCounts counts() {
+        Tally tally = core.tally();
+        return new ConverterStatus.EventCounts(
+                tally.observed(),
+                tally.handled(),
+                tally.ignored(),
+                tally.stale(),
+                tally.failed(),
+                tally.dropped(),
+                tally.refused(),
+                core.waiting(),
+                core.isBusy() ? 1 : 0);
+    }
+
     synchronized List<HistoryEntry> history() {
         return books.history().entries();
     }

@@ -47,7 +47,9 @@ final class CoreIntake implements Intake<Occurrence> {
             } else {
                 inputs.observed(occurrence);
             }
-            return outputs.admission;
+            // What an open core refuses is what the journal could not keep.
+            boolean unkept = outputs.admission == Admission.REFUSED && core.isOpen();
+            return unkept ? Admission.NOT_RECORDED : outputs.admission;
         }
     }
 

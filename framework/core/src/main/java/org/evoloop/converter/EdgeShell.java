@@ -8,6 +8,7 @@ import java.util.TreeSet;
 import java.util.function.Supplier;
 import org.evoloop.core.Output;
 import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;
@@ -131,7 +132,7 @@ public final class EdgeShell implements AutoCloseable {
      * @throws org.evoloop.statemachine.ModelException if the models and the components do not fit; the message lists all problems
      */
     public void open() {
-        assembly.compile(knowledge, true);
+        DecisionTable table = assembly.compile(knowledge, true);
         knowledge.bindings().watch(config, failures);
         Supplier<Configuration> place = () -> at;
         knowledge.attach(place);
@@ -141,7 +142,7 @@ public final class EdgeShell implements AutoCloseable {
         for (Component component : assembly.all()) {
             if (component instanceof EventMonitor monitor) {
                 // Guards are evaluated once for each event, by observed().
-                monitor.attach(config, loop, knowledge.eventNames(), (event, values) -> Set.of());
+                monitor.attach(config, loop, knowledge.eventNames(), (event, values) -> Set.of(), table::isDevicesOwn);
                 loop.addMonitor(monitor);
             } else if (component instanceof EventExecute execute) {
                 execute.attach(effects, null);

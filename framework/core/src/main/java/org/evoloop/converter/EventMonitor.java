@@ -6,6 +6,8 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.Set;
 import java.util.function.BiFunction;
+import java.util.function.Predicate;
+import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.EventNames;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
@@ -36,6 +38,7 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     private volatile @Nullable LoopConfig config;
     private volatile @Nullable MapeLoop<Occurrence, ?, ?> loop;
     private volatile BiFunction<Event, Values, Set<String>> guards = (event, values) -> NOT_EVALUATED;
+    private volatile Predicate<Event> devicesOwn = event -> false;
 
     /** A monitor named after its class. */
     protected EventMonitor() {}
@@ -45,12 +48,17 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         super(name);
     }
 
-    /** @param holding the guards that the original model draws for an event and that hold now, by its values */
+    /**
+     * @param holding the guards that the original model draws for an event and that hold now, by its values
+     * @param own whether only the device can raise an event
+     */
     final void attach(
             LoopConfig loopConfig,
             MapeLoop<Occurrence, ?, ?> joined,
             EventNames names,
-            BiFunction<Event, Values, Set<String>> holding) {
+            BiFunction<Event, Values, Set<String>> holding,
+            Predicate<Event> own) {
+        devicesOwn = own;
         eventNames = names;
         config = loopConfig;
         loop = joined;
@@ -109,45 +117,60 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     }
 
     /**
-     * Refuses {@code pressed} if neither model knows it, or while the converter is not running.
+     * Refuses {@code pressed} if it can never be taken.
      *
-     * @throws IllegalArgumentException if neither model knows the event
-     * @throws IllegalStateException if the converter is not running
+     * @throws IllegalArgumentException if neither model knows the event, or only the device can raise it
+     * @throws IllegalStateException if this monitor is not part of a converter
      */
-    final void requireHeard(Occurrence pressed) {
+    final void requirePressable(Occurrence pressed) {
         MapeLoop<Occurrence, ?, ?> joined = loop;
         LoopConfig attached = config;
         EventNames names = eventNames;
         if (joined == null || attached == null || names == null || !joined.has(this)) {
-            throw new IllegalStateException(
-                    name() + " is not part of a converter that was built, so " + pressed.label() + " is refused");
+            throw notPart(pressed);
         }
         if (pressed instanceof Occurrence.Heard heard) {
             names.require(heard.event());
-        }
-        if (joined.state() != LoopState.RUNNING) {
-            joined.offer(pressed);
-            throw refusal(pressed);
+            if (devicesOwn.test(heard.event())) {
+                throw new IllegalArgumentException(DeviceEvents.notPressed(heard.event()));
+            }
         }
     }
 
-    /** Says that the converter has no room for {@code pressed}. */
-    final IllegalStateException loss(Occurrence pressed) {
-        return new IllegalStateException(converter() + " has a full queue, so " + pressed.label()
-                + " is dropped; try again when it has handled the events that wait");
+    /** Says that {@code pressed} is lost because there is no converter. */
+    final IllegalStateException notPart(Occurrence pressed) {
+        return new IllegalStateException(
+                name() + " is not part of a converter that was built, so " + pressed.label() + " is refused");
     }
 
-    /** Says why the converter refuses {@code pressed}. */
-    final IllegalStateException refusal(Occurrence pressed) {
+    /** The loop's answer to {@code pressed} if it is given at once, whatever was reported before; null if it is not. */
+    final @Nullable Admission answerAtOnce(Occurrence pressed) {
         MapeLoop<Occurrence, ?, ?> joined = loop;
-        LoopState state = joined == null ? LoopState.NEW : joined.state();
-        return new IllegalStateException(converter()
-                + switch (state) {
-                    case RUNNING ->
-                        " cannot write its journal, so " + pressed.label() + " is refused; make room on its disk";
-                    case EXITED -> " is closed, so " + pressed.label() + " is refused";
-                    default -> " is stopped, so " + pressed.label() + " is refused; start it first";
-                });
+        boolean isDueLater =
+                joined == null || (hasThread() ? joined.state() != LoopState.NEW : joined.state() == LoopState.RUNNING);
+        return joined == null || isDueLater ? null : joined.admit(pressed);
+    }
+
+    /**
+     * Says that {@code pressed} is lost if the loop has not taken it.
+     *
+     * @throws IllegalStateException that says why
+     */
+    final void requireTaken(Occurrence pressed, Admission admission) {
+        String event = pressed.label();
+        String why = switch (admission) {
+            case TAKEN -> "";
+            case FIRST_DROPPED, DROPPED ->
+                " has a full queue, so " + event + " is dropped; try again when it has handled the events that wait";
+            case NOT_RECORDED -> " cannot write its journal, so " + event + " is refused; make room on its disk";
+            case REFUSED ->
+                isDetached()
+                        ? " is closed, so " + event + " is refused"
+                        : " is stopped, so " + event + " is refused; start it first";
+        };
+        if (!why.isEmpty()) {
+            throw new IllegalStateException(converter() + why);
+        }
     }
 
     private String converter() {

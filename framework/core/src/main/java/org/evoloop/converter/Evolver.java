@@ -203,7 +203,7 @@ final class Evolver {
         DecisionTable table = components.compile(next, false);
         components.monitors().forEach(monitor -> monitor.requireKnown(next.eventNames()));
         Rules running = shell.driver.rules();
-        Rules rules = new Rules(table, next::timersOf, running.queueCapacity());
+        Rules rules = new Rules(table, next::timersOf, running.queueCapacity(), running.pressAge());
         Swap swap = Swap.of(running, rules, evolution.mapping());
         if (evolution.needsWayBack() && !back) {
             Migration there = plan(running, swap, shell.driver.configuration());

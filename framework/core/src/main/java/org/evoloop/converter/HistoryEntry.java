@@ -35,4 +35,9 @@ public record HistoryEntry(
         Outcome outcome,
         String detail,
         @Nullable Decision decision,
-        Duration took) {}
+        Duration took) {
+    /** When the event was observed: a control was operated, for example. */
+    public Instant observedAt() {
+        return at.minus(took);
+    }
+}

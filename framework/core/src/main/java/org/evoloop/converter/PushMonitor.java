@@ -45,9 +45,10 @@ public class PushMonitor extends EventMonitor {
     /**
      * A control of the controller was operated.
      *
-     * @throws IllegalArgumentException if neither model knows the event; the message lists the most similar names
-     * @throws IllegalStateException if the event is lost: the converter is not running, has no room for it in its queue
-     *     or cannot write its journal, or this monitor is not part of one
+     * @throws IllegalArgumentException if neither model knows the event, and then the message lists the most similar
+     *     names, or if only the device can raise it
+     * @throws IllegalStateException if, and only if, the event is lost: the converter is not running, has no room for it
+     *     in its queue or cannot write its journal, or this monitor is not part of one
      */
     public final void press(String event) {
         press(event, Values.NONE);
@@ -56,12 +57,13 @@ public class PushMonitor extends EventMonitor {
     /** As {@link #press(String)}, for an event with {@code values}. */
     public final void press(String event, Values values) {
         Occurrence pressed = fromController(event, values);
-        requireHeard(pressed);
-        Admission admission = pass(pressed);
-        if (admission == Admission.REFUSED) {
-            throw refusal(pressed);
-        } else if (admission == Admission.DROPPED || admission == Admission.FIRST_DROPPED) {
-            throw loss(pressed);
+        requirePressable(pressed);
+        Admission atOnce = answerAtOnce(pressed);
+        Admission admission = atOnce == null ? pass(pressed) : atOnce;
+        if (admission != null) {
+            requireTaken(pressed, admission);
+        } else if (hasLeft()) {
+            throw notPart(pressed);
         }
     }
 

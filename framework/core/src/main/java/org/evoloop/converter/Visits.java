@@ -21,7 +21,9 @@ import org.evoloop.loop.Failure;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.MapeLoop;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
@@ -242,6 +244,20 @@ final class Visits implements VisitHost {
                     raising.state() + " defers " + event
                             + ", so that its own function cannot raise it: it would wait for another state, where it is too late");
         }
+    }
+
+    @Override
+    public String unexpected(Visit finishing, Event event) {
+        StateMachine evolved = knowledge.get().models().evolved();
+        if (evolved.hasTrigger(finishing.state(), event)) {
+            return "";
+        }
+        List<String> known = evolved.transitionsFrom(finishing.state()).stream()
+                .map(transition -> transition.event().trigger().name())
+                .distinct()
+                .toList();
+        return finishing.state() + " has no transition for " + event + ", with which its function ends"
+                + Names.hint(event.name(), known);
     }
 
     @Override

@@ -1,5 +1,8 @@
 package org.evoloop.core;
 
+import java.math.BigDecimal;
+import java.util.Locale;
+import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Step;
@@ -55,11 +58,33 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
     private void follow(Occurrence.Heard fact) {
         State from = ledger.place.at().original();
         Step own = ledger.rules.table().ownStep(from, fact.event(), fact.holding()::contains);
+        boolean impossible = ledger.rules.table().isImpossible(from, fact.event());
         ledger.happensMeanwhile(fact);
         if (own != null) {
             ledger.place.moveDevice(own.target(), ledger.out);
         }
         enqueue(fact, from, own);
+        if (impossible && !ledger.progress.isSending()) {
+            contradict(fact, from);
+        }
+    }
+
+    /**
+     * The device has done what it cannot do in its recorded state: it has been elsewhere. If what it did leads to one
+     * state only, it is there now, as far as anybody knows.
+     */
+    private void contradict(Occurrence.Heard fact, State from) {
+        State likely = ledger.rules.table().onlyTarget(fact.event());
+        if (likely != null) {
+            ledger.place.moveDevice(likely, ledger.out);
+        }
+        ledger.followOwed = true;
+        ledger.contradicted(contradiction(fact, from));
+    }
+
+    /** For people. */
+    static String contradiction(Occurrence fact, State from) {
+        return "the device reports " + fact.label() + ", which is impossible in " + from;
     }
 
     private void find(Occurrence.Found found) {
@@ -107,12 +132,14 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
 
     /** An event that only the device can take, such as a time trigger of its own model, has already been taken. */
     private void hear(Occurrence.Heard heard) {
+        boolean own = ledger.rules.table().isDevicesOwn(heard.event().trigger());
         if (!ledger.rules.table().names().knows(heard.event()) && (ledger.open || heard.deviceActed())) {
             // It would have no effect, and must not take up room needed by facts.
             endAtOnce(heard, Outcome.IGNORED, unknown(heard.event()));
-        } else if (heard.deviceActed()
-                || ledger.rules.table().isDevicesOwn(heard.event().trigger())) {
+        } else if (heard.deviceActed() || (own && heard.source() != Source.CONTROLLER)) {
             follow(heard);
+        } else if (own && ledger.open) {
+            endAtOnce(heard, Outcome.IGNORED, DeviceEvents.notPressed(heard.event()));
         } else {
             askedFor(heard);
         }
@@ -144,8 +171,7 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
     @Override
     public final void ready() {
         if (ledger.open && ledger.progress.isInterrupted()) {
-            ledger.progress.resume();
-            ledger.out.begin(ledger.progress.pending());
+            resume(ledger.progress.pending());
         }
         while (ledger.progress.isIdle() && ledger.open) {
             Pending next = owedFinding();
@@ -164,17 +190,46 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
      * number is 0 if it has not been observed yet.
      */
     public final @Nullable Pending upcoming() {
-        if (ledger.progress.isInterrupted()) {
+        if (ledger.progress.isInterrupted() && !isTooOldToResume(ledger.progress.pending())) {
             return ledger.progress.pending();
         }
-        boolean owed = ledger.followOwed
-                && ledger.line.first(pending ->
-                                pending.hasHappened() && outOfDate(pending).isEmpty())
-                        == null;
-        return owed
-                ? finding(0)
-                : ledger.line.first(pending -> outOfDate(pending).isEmpty());
+        boolean owed =
+                ledger.followOwed && ledger.line.first(pending -> pending.hasHappened() && mayBegin(pending)) == null;
+        return owed ? finding(0) : ledger.line.first(this::mayBegin);
     }
+
+    private boolean mayBegin(Pending pending) {
+        return outOfDate(pending).isEmpty() && !ledger.rules.isTooOld(pending, ledger.nowNanos);
+    }
+
+    /** An interrupted plan goes on, unless it would send something for a press that has become too old meanwhile. */
+    private void resume(Pending pending) {
+        if (isTooOldToResume(pending)) {
+            conclude(pending.number(), ledger.progress.stepsSent() == 0 ? Outcome.STALE : Outcome.FAILED, age(pending));
+        } else {
+            ledger.progress.resume();
+            ledger.out.begin(pending);
+        }
+    }
+
+    private boolean isTooOldToResume(Pending pending) {
+        return ledger.rules.isTooOld(pending, ledger.nowNanos) && ledger.progress.step() != null;
+    }
+
+    /** For people. */
+    private String age(Pending pending) {
+        double seconds = (ledger.nowNanos - pending.occurrence().observedNanos()) / 1e9;
+        return String.format(
+                Locale.ROOT,
+                "pressed %.0f s before its turn; the limit is %s s",
+                seconds,
+                BigDecimal.valueOf(ledger.rules.pressAge().toMillis(), 3)
+                        .stripTrailingZeros()
+                        .toPlainString());
+    }
+
+    /** The occurrence in progress ends, whatever is left of its plan. */
+    abstract void conclude(long number, Outcome outcome, String reason);
 
     /** Whether a function may raise this event without waiting. Controllers' events do not matter for that. */
     public final boolean hasRoom(Occurrence raised) {
@@ -211,7 +266,11 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
             ledger.stay.heard(heard.event());
         }
         ledger.progress.begin(pending);
-        ledger.out.begin(pending);
+        if (ledger.rules.isTooOld(pending, ledger.nowNanos)) {
+            conclude(pending.number(), Outcome.STALE, age(pending));
+        } else {
+            ledger.out.begin(pending);
+        }
     }
 
     /** Why it ends as soon as it has its turn; empty if it does not. */

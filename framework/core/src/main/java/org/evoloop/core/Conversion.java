@@ -76,10 +76,12 @@ abstract sealed class Conversion extends Arrivals permits Core {
         if (step == null) {
             return;
         }
-        if (step.source().equals(ledger.place.at().original())) {
-            progress.send();
-        } else {
+        if (!step.source().equals(ledger.place.at().original())) {
             again("the device left " + step.source() + " by itself");
+        } else if (ledger.line.holdsDoubt()) {
+            again("the device has to be asked first where it is");
+        } else {
+            progress.send();
         }
     }
 
@@ -116,6 +118,18 @@ abstract sealed class Conversion extends Arrivals permits Core {
                     ? "it is unknown what the device did on " + step.trigger() + ", since that is up to its guards"
                     : "it is unknown whether the device acted before or after it took " + step.trigger();
             ledger.doubt(why, number, step, meanwhile);
+        } else {
+            contradictIfImpossible(step.source(), step, meanwhile, inOrder);
+        }
+    }
+
+    /** @param step the step that the device took meanwhile, as far as is known; null if it took none */
+    private void contradictIfImpossible(
+            State start, @Nullable Step step, List<Occurrence> meanwhile, boolean stepLast) {
+        Occurrence impossible = Overlap.impossible(ledger.rules.table(), start, step, meanwhile, stepLast);
+        if (impossible != null) {
+            ledger.followOwed = true;
+            ledger.contradicted(contradiction(impossible, start));
         }
     }
 
@@ -129,12 +143,15 @@ abstract sealed class Conversion extends Arrivals permits Core {
         if (doubt == null) {
             return;
         }
-        State target = Overlap.takes(ledger.rules.table(), ledger.place.at().original(), doubt.step());
-        if (doubt.number() == number && isOrderKnown(inOrder, doubt, target)) {
+        Step step = doubt.number() == number ? doubt.step() : null;
+        State target = step == null
+                ? null
+                : Overlap.takes(ledger.rules.table(), ledger.place.at().original(), step);
+        if (step != null && target != null && isOrderKnown(inOrder, doubt, step, target)) {
             ledger.settleDoubt();
             ledger.place.doubt(doubt.stepsBefore() == Doubt.UNSETTLED ? ledger.place.lastDoubt() : null);
             ledger.place.took(target, atNanos, ledger.out);
-            ledger.out.took(doubt.step());
+            ledger.out.took(step);
             ledger.followOwed = true;
             if (progress.isSending()) {
                 // For the step being sent, the device did this beforehand.
@@ -147,15 +164,15 @@ abstract sealed class Conversion extends Arrivals permits Core {
         }
     }
 
-    private boolean isOrderKnown(boolean inOrder, Doubt doubt, State target) {
-        if (inOrder && Overlap.isGuarded(ledger.rules.table(), ledger.place.at().original(), doubt.step())) {
+    private boolean isOrderKnown(boolean inOrder, Doubt doubt, Step step, State target) {
+        if (inOrder && Overlap.isGuarded(ledger.rules.table(), ledger.place.at().original(), step)) {
             return false;
         } else if (inOrder) {
             return doubt.settled() || doubt.stepsBefore() == ledger.place.steps();
         }
         return doubt.stepsBefore() == ledger.place.steps()
                 && !progress.isSending()
-                && Overlap.alwaysEndsIn(target, ledger.rules.table(), doubt.step(), doubt.meanwhile());
+                && Overlap.alwaysEndsIn(target, ledger.rules.table(), step, doubt.meanwhile());
     }
 
     @Override
@@ -241,11 +258,16 @@ abstract sealed class Conversion extends Arrivals permits Core {
             return;
         }
         Pending pending = progress.pending();
+        Step step = stepOnItsWay(number);
+        List<Occurrence> meanwhile = progress.meanwhile();
         BrokenPlan broken = broken(pending, reason);
         if (broken != null) {
             retry(pending.after(broken), reason);
         } else {
             breakOff(number, afterBroken(pending, reason));
+        }
+        if (step != null) {
+            contradictIfImpossible(step.source(), null, meanwhile, false);
         }
     }
 
@@ -322,8 +344,8 @@ abstract sealed class Conversion extends Arrivals permits Core {
         arrive();
     }
 
-    /** The occurrence in progress ends, whatever is left of its plan. */
-    private void conclude(long number, Outcome outcome, String reason) {
+    @Override
+    final void conclude(long number, Outcome outcome, String reason) {
         if (!progress.isOf(number)) {
             return;
         }

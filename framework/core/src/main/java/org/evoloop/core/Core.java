@@ -203,6 +203,11 @@ public final class Core extends Conversion {
         return !ledger.progress.isIdle();
     }
 
+    /** Whether the plan in progress was interrupted by the end of a process, and waits until the converter is open. */
+    public boolean isInterrupted() {
+        return ledger.progress.isInterrupted();
+    }
+
     /** Whether an occurrence is ready to begin when nothing is in progress. */
     public boolean hasNext() {
         return ledger.line.size() > 0 || ledger.followOwed || ledger.progress.isInterrupted();

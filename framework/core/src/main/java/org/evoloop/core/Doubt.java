@@ -3,6 +3,7 @@ package org.evoloop.core;
 import java.util.List;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Why the device's state is not certain.
@@ -10,8 +11,8 @@ import org.evoloop.evolution.Step;
  * <p>Threading: immutable.
  *
  * @param why for people
- * @param number the occurrence in whose conversion it arose
- * @param step the step for which it is unknown whether or when it had its effect
+ * @param number the occurrence in whose conversion it arose; {@value #NO_NUMBER} if it did not arise in one
+ * @param step the step for which it is unknown whether or when it had its effect; null if it is about no step
  * @param stepsBefore how many steps had been sent before; {@value #UNSETTLED} if another step was in doubt then, so
  *     that knowing about this one is not enough
  * @param meanwhile what the device did by itself, or where it was found, since the step was about to be sent
@@ -19,8 +20,19 @@ import org.evoloop.evolution.Step;
  *     to have had its effect after all
  * @since 0.1
  */
-public record Doubt(String why, long number, Step step, long stepsBefore, List<Occurrence> meanwhile, boolean settled) {
+public record Doubt(
+        String why, long number, @Nullable Step step, long stepsBefore, List<Occurrence> meanwhile, boolean settled) {
     static final long UNSETTLED = -1;
+
+    /** No occurrence has this number. */
+    static final long NO_NUMBER = 0;
+
+    /** The doubt after a report that contradicts the record; {@code last} may still be settled by what it is about. */
+    static Doubt contradicted(@Nullable Doubt last, String why) {
+        return last == null
+                ? new Doubt(why, NO_NUMBER, null, UNSETTLED, List.of(), false)
+                : new Doubt(why, last.number, last.step, UNSETTLED, last.meanwhile, false);
+    }
 
     Doubt acted(Occurrence fact) {
         return new Doubt(why, number, step, stepsBefore, Overlap.add(meanwhile, fact), settled);
@@ -31,7 +43,7 @@ public record Doubt(String why, long number, Step step, long stepsBefore, List<O
     }
 
     /** The same doubt in terms of other models. */
-    Doubt of(Step sameStep, List<Occurrence> sameMeanwhile) {
+    Doubt of(@Nullable Step sameStep, List<Occurrence> sameMeanwhile) {
         return new Doubt(why, number, sameStep, stepsBefore, sameMeanwhile, settled);
     }
 

@@ -186,10 +186,19 @@ final class Ledger {
         }
     }
 
+    /** The device has reported what it cannot have done from its recorded state, so that is wrong. */
+    void contradicted(String why) {
+        if (place.doubt() == null) {
+            place.doubt(Doubt.contradicted(place.lastDoubt(), why));
+            out.doubted(why);
+            ask();
+        }
+    }
+
     void settleDoubt() {
         Doubt doubt = place.doubt();
         if (doubt != null) {
-            place.doubt(doubt.settled(true));
+            place.doubt(doubt.step() == null ? null : doubt.settled(true));
             out.doubted("");
         }
     }

@@ -10,7 +10,10 @@ public enum Outcome {
     HANDLED,
     /** The new model has no transition for it, or a component dismissed it. */
     IGNORED,
-    /** It came too late: it was raised in an earlier visit of a state, or overtaken by a step sent since. */
+    /**
+     * It came too late: it was raised in an earlier visit of a state, overtaken by a step sent since, or pressed too long
+     * before its turn.
+     */
     STALE,
     /** It could not be carried out, or not completely. */
     FAILED,

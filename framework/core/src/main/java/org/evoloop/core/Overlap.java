@@ -54,6 +54,44 @@ final class Overlap {
     }
 
     /**
+     * One of {@code meanwhile} that the device cannot have done, whatever the order; null if there is an order in which it
+     * can have done everything.
+     *
+     * @param step the step that it took as well; null if it took none
+     * @param stepLast whether it is known to have taken the step last
+     */
+    static @Nullable Occurrence impossible(
+            DecisionTable table, State start, @Nullable Step step, List<Occurrence> meanwhile, boolean stepLast) {
+        Occurrence found = null;
+        for (int place = step == null || stepLast ? meanwhile.size() : 0; place <= meanwhile.size(); place++) {
+            found = impossible(table, start, step, meanwhile, place);
+            if (found == null) {
+                return null;
+            }
+        }
+        return found;
+    }
+
+    /** @param place before which of {@code meanwhile} the device took the step */
+    private static @Nullable Occurrence impossible(
+            DecisionTable table, State start, @Nullable Step step, List<Occurrence> meanwhile, int place) {
+        State at = start;
+        for (int index = 0; index < meanwhile.size(); index++) {
+            Occurrence fact = meanwhile.get(index);
+            at = index == place && step != null ? takes(table, at, step) : at;
+            if (isImpossible(table, at, fact)) {
+                return fact;
+            }
+            at = follows(table, at, fact);
+        }
+        return null;
+    }
+
+    private static boolean isImpossible(DecisionTable table, State at, Occurrence fact) {
+        return fact instanceof Occurrence.Heard heard && table.isImpossible(at, heard.event());
+    }
+
+    /**
      * Whether guards decide where {@code step} takes the device from {@code from}. In another state than the step's
      * source, nobody has evaluated them.
      */

@@ -1,5 +1,6 @@
 package org.evoloop.core;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.function.Predicate;
 import org.evoloop.evolution.Configuration;
@@ -11,17 +12,27 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 
 /**
- * The rules of a {@link Core}: the models with their decisions, the timers of states, and the capacity of its queue.
+ * The rules of a {@link Core}: the models with their decisions, the timers of states, and how many presses may wait, and
+ * how long.
  *
  * <p>Threading: immutable; {@code timers} must be a pure function.
  *
  * @param timers the timers of each state
  * @param queueCapacity how many events of controllers may wait behind the one in progress
+ * @param pressAge how old such an event may be when its turn comes; an older one is stale
  * @since 0.1
  */
-public record Rules(DecisionTable table, Timers timers, int queueCapacity) {
+public record Rules(DecisionTable table, Timers timers, int queueCapacity, Duration pressAge) {
     /** A capacity with which not even facts, and events of timers and functions, have room. */
     public static final int NO_ROOM = -Line.MOST_FACTS;
+
+    /** Longer than any time: no event of a controller is ever too old. */
+    public static final Duration ANY_AGE = Duration.ofNanos(Long.MAX_VALUE);
+
+    /** Rules by which no event of a controller is ever too old. */
+    public Rules(DecisionTable table, Timers timers, int queueCapacity) {
+        this(table, timers, queueCapacity, ANY_AGE);
+    }
 
     /**
      * The decision for an occurrence that has its turn: a pure function.
@@ -64,6 +75,17 @@ public record Rules(DecisionTable table, Timers timers, int queueCapacity) {
         return known.startsIn(at) ? known : table.react(at, table.resolve(at, event, holds), pending.own(), byItself);
     }
 
+    /**
+     * Whether {@code pending} is a press too old to be begun. What the new model defers somewhere may wait, because the
+     * model says so; a plan that has failed in the middle still ends as it should.
+     */
+    boolean isTooOld(Pending pending, long nowNanos) {
+        return pending.mayBeLost()
+                && pending.broken() == null
+                && nowNanos - pending.occurrence().observedNanos() > pressAge.toNanos()
+                && !(pending.occurrence() instanceof Occurrence.Heard heard && table.mayDefer(heard.event()));
+    }
+
     /** How many facts, and events raised by timers or functions, may wait besides controllers' events. */
     public int mostFacts() {
         return queueCapacity + Line.MOST_FACTS;
@@ -77,6 +99,6 @@ public record Rules(DecisionTable table, Timers timers, int queueCapacity) {
 
     /** A copy with other decisions. */
     public Rules with(DecisionTable newTable) {
-        return new Rules(newTable, timers, queueCapacity);
+        return new Rules(newTable, timers, queueCapacity, pressAge);
     }
 }

@@ -80,7 +80,8 @@ final class Takeover {
      */
     private @Nullable Doubt doubt(Succession succession, Fate.Maps maps) {
         Doubt doubt = ledger.place.lastDoubt();
-        Step step = doubt == null ? null : succession.step(doubt.step());
+        Step before = doubt == null ? null : doubt.step();
+        Step step = before == null ? null : succession.step(before);
         if (doubt == null || step == null) {
             return null;
         }

@@ -317,6 +317,26 @@ public final class DecisionTable {
         return taken == null ? null : new Step(taken, true, false);
     }
 
+    /** Whether the device has {@code trigger} in other states only, so that it cannot have taken it in {@code at}. */
+    public boolean isImpossible(State at, Event trigger) {
+        return !pair.original().hasTrigger(at, trigger)
+                && pair.original().triggers().contains(trigger.trigger());
+    }
+
+    /** The state to which {@code trigger} leads the device from wherever it has it; null if there are several. */
+    public @Nullable State onlyTarget(Event trigger) {
+        State only = null;
+        for (Transition transition : pair.original().transitions()) {
+            if (transition.event().name().equals(trigger.name())) {
+                if (only != null && !only.equals(transition.target())) {
+                    return null;
+                }
+                only = transition.target();
+            }
+        }
+        return only;
+    }
+
     /** Whether guards decide what the device does on {@code trigger} in {@code at}. */
     public boolean isGuarded(State at, Event trigger) {
         return originalGuards.decideOn(at, trigger);
@@ -347,6 +367,11 @@ public final class DecisionTable {
      */
     public boolean defers(Configuration at, Event event) {
         return pair.evolved().defers(at.evolved(), event);
+    }
+
+    /** Whether {@code event} is deferred in any state, so that it may wait for long. */
+    public boolean mayDefer(Event event) {
+        return pair.evolved().mayDefer(event);
     }
 
     /** Whether the guards make {@code step} the one that its trigger takes now. */

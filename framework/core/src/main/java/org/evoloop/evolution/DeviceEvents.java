@@ -88,6 +88,12 @@ public record DeviceEvents(
         return spontaneous.contains(trigger) && !sendable.contains(trigger);
     }
 
+    /** For people: why a controller's press of {@code trigger}, which is the device's {@linkplain #isOwn own}, is refused. */
+    public static String notPressed(Event trigger) {
+        return "only the device itself can raise " + trigger.trigger()
+                + ", so it cannot be pressed; a monitor reports it" + " with fromDevice";
+    }
+
     /** The events of {@code original} that no component sends and that are not declared spontaneous either. */
     public Set<Event> unsendable(StateMachine original) {
         Set<Event> left = new LinkedHashSet<>(original.triggers());

@@ -118,7 +118,8 @@ public interface Visit {
 
     /**
      * Ends the function with {@code event} and its {@code values}, which is raised when {@link NewFunction#run} has
-     * returned. Only the first call counts, and none after the state has been left.
+     * returned. Only the first call counts, and none after the state has been left. An event for which the state has no
+     * transition does not end the function: it is reported at once as the function's failure.
      *
      * @throws IllegalArgumentException if the state defers the event, as {@link #raise(String, Values)}
      */
@@ -127,7 +128,7 @@ public interface Visit {
     /**
      * Ends the function with {@code event} after {@code delay}, unless the state is left or it has finished before.
      *
-     * @throws IllegalArgumentException if neither model knows the event, or the state defers it, and as {@link #after}
+     * @throws IllegalArgumentException if the state has no transition for the event, or defers it, and as {@link #after}
      */
     void finishAfter(Duration delay, String event);
 
@@ -171,7 +172,7 @@ public interface Visit {
      * Ends the function with {@code event} when the time of day is next {@code time}, unless the state is left or it
      * has finished before; else as {@link #at(LocalTime, ZoneId, Runnable)}.
      *
-     * @throws IllegalArgumentException if neither model knows the event, or the state defers it
+     * @throws IllegalArgumentException if the state has no transition for the event, or defers it
      */
     void finishAt(LocalTime time, ZoneId zone, String event);
 

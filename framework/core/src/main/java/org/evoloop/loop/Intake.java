@@ -16,8 +16,10 @@ public interface Intake<O> {
     enum Admission {
         /** It waits for its turn, or has already ended. */
         TAKEN,
-        /** The loop is closed, or cannot record it. */
+        /** The loop is closed. */
         REFUSED,
+        /** The loop cannot record it. */
+        NOT_RECORDED,
         /** There was no room, for the first time since there was last room. */
         FIRST_DROPPED,
         /** There was no room again. */

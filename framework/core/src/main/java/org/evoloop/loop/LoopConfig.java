@@ -18,6 +18,7 @@ public final class LoopConfig {
     private final String name;
     private final Clock clock;
     private final int queueCapacity;
+    private final Duration pressAge;
     private final Duration stepLimit;
     private final Duration joinLimit;
     private final WaitStrategy waiting;
@@ -27,12 +28,14 @@ public final class LoopConfig {
             String name,
             Clock clock,
             int queueCapacity,
+            Duration pressAge,
             Duration stepLimit,
             Duration joinLimit,
             WaitStrategy waiting,
             ThreadingModel threading) {
         requireNonNull(name, "the name of a loop is null");
         requireNonNull(clock, "the clock of a loop is null");
+        requireNonNull(pressAge, "pressAge is null");
         requireNonNull(stepLimit, "stepLimit is null");
         requireNonNull(joinLimit, "joinLimit is null");
         requireNonNull(waiting, "waiting is null");
@@ -40,6 +43,7 @@ public final class LoopConfig {
         this.name = name;
         this.clock = clock;
         this.queueCapacity = queueCapacity;
+        this.pressAge = pressAge;
         this.stepLimit = stepLimit;
         this.joinLimit = joinLimit;
         this.waiting = waiting;
@@ -47,14 +51,15 @@ public final class LoopConfig {
     }
 
     /**
-     * The defaults: room for 8 waiting occurrences, a step limit of 30 s, a join limit of 2 s, one carrier for all
-     * components.
+     * The defaults: room for 8 waiting occurrences, presses that wait for at most 10 s, a step limit of 30 s, a join limit
+     * of 2 s, one carrier for all components.
      */
     public static LoopConfig defaults(String name, Clock clock) {
         return new LoopConfig(
                 name,
                 clock,
                 8,
+                Duration.ofSeconds(10),
                 Duration.ofSeconds(30),
                 Duration.ofSeconds(2),
                 WaitStrategy.YIELD_THEN_PARK,
@@ -63,27 +68,32 @@ public final class LoopConfig {
 
     /** A copy with room for {@code capacity} waiting occurrences, see {@link #queueCapacity}. */
     public LoopConfig withQueueCapacity(int capacity) {
-        return new LoopConfig(name, clock, capacity, stepLimit, joinLimit, waiting, threading);
+        return new LoopConfig(name, clock, capacity, pressAge, stepLimit, joinLimit, waiting, threading);
+    }
+
+    /** A copy in which a press may wait for at most {@code limit}, see {@link #pressAge}. */
+    public LoopConfig withPressAge(Duration limit) {
+        return new LoopConfig(name, clock, queueCapacity, limit, stepLimit, joinLimit, waiting, threading);
     }
 
     /** A copy with another limit for one step, in the clock's time. */
     public LoopConfig withStepLimit(Duration limit) {
-        return new LoopConfig(name, clock, queueCapacity, limit, joinLimit, waiting, threading);
+        return new LoopConfig(name, clock, queueCapacity, pressAge, limit, joinLimit, waiting, threading);
     }
 
     /** A copy with another limit for threads that were interrupted, in real time. */
     public LoopConfig withJoinLimit(Duration limit) {
-        return new LoopConfig(name, clock, queueCapacity, stepLimit, limit, waiting, threading);
+        return new LoopConfig(name, clock, queueCapacity, pressAge, stepLimit, limit, waiting, threading);
     }
 
     /** A copy with another wait strategy. */
     public LoopConfig withWaiting(WaitStrategy strategy) {
-        return new LoopConfig(name, clock, queueCapacity, stepLimit, joinLimit, strategy, threading);
+        return new LoopConfig(name, clock, queueCapacity, pressAge, stepLimit, joinLimit, strategy, threading);
     }
 
     /** A copy with another threading model. */
     public LoopConfig withThreading(ThreadingModel model) {
-        return new LoopConfig(name, clock, queueCapacity, stepLimit, joinLimit, waiting, model);
+        return new LoopConfig(name, clock, queueCapacity, pressAge, stepLimit, joinLimit, waiting, model);
     }
 
     /** A copy without threads: the caller of {@link MapeLoop#observe} and {@link MapeLoop#step} drives it. */
@@ -102,7 +112,10 @@ public final class LoopConfig {
         if (queueCapacity < 0 || queueCapacity > 1_000_000) {
             found.add("queueCapacity is " + queueCapacity + ", allowed is 0 to 1000000");
         }
-        if (stepLimit.compareTo(Duration.ofMillis(1)) < 0 || stepLimit.compareTo(Clock.LONGEST) > 0) {
+        if (isNoLimit(pressAge)) {
+            found.add("pressAge is " + pressAge + ", allowed is 1 ms to " + Clock.LONGEST.toDays() + " days");
+        }
+        if (isNoLimit(stepLimit)) {
             found.add("stepLimit is " + stepLimit + ", allowed is 1 ms to " + Clock.LONGEST.toDays() + " days");
         }
         if (joinLimit.compareTo(Duration.ofMillis(1)) < 0 || joinLimit.compareTo(Duration.ofMinutes(1)) > 0) {
@@ -112,6 +125,10 @@ public final class LoopConfig {
             found.add("waiting is '" + waiting + "', allowed are 0 to 10000 looks and yields");
         }
         return found;
+    }
+
+    private static boolean isNoLimit(Duration limit) {
+        return limit.compareTo(Duration.ofMillis(1)) < 0 || limit.compareTo(Clock.LONGEST) > 0;
     }
 
     private static boolean outOfRange(int rounds) {
@@ -134,6 +151,15 @@ public final class LoopConfig {
      */
     public int queueCapacity() {
         return queueCapacity;
+    }
+
+    /**
+     * How long a control that was operated counts, 1 ms to {@link Clock#LONGEST}, in the clock's time. A press that is
+     * older when its turn comes is stale: whoever pressed no longer expects anything to happen. Time in which no process
+     * ran counts, too, if the converter has a journal.
+     */
+    public Duration pressAge() {
+        return pressAge;
     }
 
     /**

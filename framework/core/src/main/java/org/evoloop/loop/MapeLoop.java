@@ -324,7 +324,12 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
 
     /** Queues an occurrence as if a monitor had reported it; false if it was refused or dropped. */
     public boolean offer(O occurrence) {
-        return sequencer.offer(requireNonNull(occurrence, "the occurrence is null")) == Intake.Admission.TAKEN;
+        return admit(occurrence) == Intake.Admission.TAKEN;
+    }
+
+    /** As {@link #offer}, with the reason if it is not taken. */
+    public Intake.Admission admit(O occurrence) {
+        return sequencer.offer(requireNonNull(occurrence, "the occurrence is null"));
     }
 
     /**

@@ -345,9 +345,9 @@ public final class Comparison {
 
         /** @param others the number that the other models have for what the converter has just counted; 0 for none */
         private void came(long others, boolean lost) {
-            long number = recorded.tally().observed();
-            if (others > 0 && !lost && number > earlier.tally().observed()) {
-                pairs.add(number, others);
+            long before = earlier.tally().observed();
+            if (others > 0 && !lost && recorded.tally().observed() > before) {
+                pairs.add(before + 1, others);
             } else {
                 early.remove(others);
             }
@@ -415,7 +415,7 @@ public final class Comparison {
         }
 
         private void runAll(long at) {
-            while (upcoming() != null && other.begin() != null) {
+            while (other.core.isOpen() && !other.isUnderWay() && other.begin() != null) {
                 other.run(at);
             }
         }

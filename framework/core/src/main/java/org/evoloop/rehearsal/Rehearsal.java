@@ -50,7 +50,7 @@ final class Rehearsal extends Chronicle {
     }
 
     private static Rules withRoom(Rules rules, int capacity) {
-        return new Rules(rules.table(), rules.timers(), capacity);
+        return new Rules(rules.table(), rules.timers(), capacity, rules.pressAge());
     }
 
     @Override
@@ -105,7 +105,8 @@ final class Rehearsal extends Chronicle {
         if (lost) {
             core.restore(rules, core.snapshot());
         }
-        return observed() > before ? observed() : 0;
+        // A doubt that it raises is counted after it.
+        return observed() > before ? before + 1 : 0;
     }
 
     /** Tells the time: a timer of no visit does nothing else. */
@@ -142,9 +143,7 @@ final class Rehearsal extends Chronicle {
 
     /** Whether an occurrence is in progress, and does not wait until the converter is opened. */
     boolean isUnderWay() {
-        Pending present = begun();
-        Pending upcoming = core.upcoming();
-        return core.isBusy() && !(upcoming != null && present != null && upcoming.number() == present.number());
+        return core.isBusy() && !core.isInterrupted();
     }
 
     /** Begins what is upcoming; null if nothing has begun. */

@@ -198,6 +198,13 @@ public final class StateMachine {
                 && (waiting.contains(event) || (find(state, event) == null && waiting.contains(event.trigger())));
     }
 
+    /** Whether any state defers {@code event}, be it under guards only. */
+    public boolean mayDefer(Event event) {
+        return traits.values().stream()
+                .flatMap(state -> state.deferred().stream())
+                .anyMatch(deferred -> deferred.trigger().equals(event.trigger()));
+    }
+
     private StateTraits traitsOf(State state) {
         return traits.getOrDefault(requireNonNull(state, "the state is null"), StateTraits.NONE);
     }

@@ -11,6 +11,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.UnaryOperator;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -24,6 +26,9 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public final class StateMachineBuilder {
+    private static final Pattern GUARD = Pattern.compile("\\[([^\\[\\]]+)]");
+    private static final Pattern GUARDED = Pattern.compile("(.*?\\S)((?:\\s+" + GUARD + ")+)");
+
     private static final String NO_TRANSITION = "a transition of a state machine is null";
     private static final String ACTIVITIES =
             "the activities of a state are null, or one of them is; List.of() are none";
@@ -160,7 +165,11 @@ public final class StateMachineBuilder {
         return event(event);
     }
 
-    /** Adds a transition, with its states and event. */
+    /**
+     * Adds a transition, with its states and event.
+     *
+     * @param event its name, followed by its guards if it has any, as in {@code press [hot] [full]}
+     */
     public StateMachineBuilder transition(String source, String event, String target) {
         return transition(source, event, target, "");
     }
@@ -171,7 +180,19 @@ public final class StateMachineBuilder {
      * @param place its place for messages, such as {@code line 12}; empty if it has none
      */
     public StateMachineBuilder transition(String source, String event, String target, String place) {
-        return transition(new Transition(new State(source), new Event(event), new State(target)), place);
+        return transition(new Transition(new State(source), drawn(event), new State(target)), place);
+    }
+
+    private static Event drawn(String event) {
+        Matcher guarded = GUARDED.matcher(requireNonNull(event, "the name of an event is null"));
+        return guarded.matches()
+                ? new Event(
+                        guarded.group(1),
+                        GUARD.matcher(guarded.group(2))
+                                .results()
+                                .map(guard -> guard.group(1))
+                                .toList())
+                : new Event(event);
     }
 
     /**

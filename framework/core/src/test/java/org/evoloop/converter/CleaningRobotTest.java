@@ -229,7 +229,7 @@ class CleaningRobotTest {
                 small.panel.press("Clean");
                 small.converter.observe(small.panel);
             }
-            small.panel.ended("endSpot");
+            small.panel.pressed("Clean", true);
             small.converter.observe(small.panel);
 
             assertThat(small.converter.status().queue().dropped()).isEqualTo(3);

@@ -185,4 +185,26 @@ class ConverterBuildTest {
     private static Event event(String name) {
         return new Event(name);
     }
+
+    @Test
+    void aGuardThatIsDrawnInCodeHasToBeBoundToo() {
+        StateMachine lamp = StateMachine.named("lamp")
+                .initial("Off")
+                .transition("Off", "switch", "On")
+                .transition("On", "switch", "Off")
+                .build();
+        StateMachine evolved = StateMachine.named("new")
+                .initial("Off")
+                .transition("Off", "switch [dark]", "On")
+                .transition("On", "switch", "Off")
+                .build();
+        try (SystemEventConverter converter =
+                new SystemEventConverter(LoopConfig.defaults("lamp", new ManualClock()))) {
+            converter.addExecute(new RecordingExecute("Lamp", "switch"));
+            converter.addKnowledge(new StateKnowledge(new ModelPair(lamp, evolved)));
+            assertThatThrownBy(converter::build)
+                    .hasMessageContaining(
+                            "guard [dark] of the new model is not bound: call guard in registerNewFunctions");
+        }
+    }
 }

@@ -110,7 +110,8 @@ class ExchangeUnderWayTest {
 
             atLast.countDown();
             assertThat(take(robot.sent)).isEqualTo("Device:Spot");
-            robot.press("endSpot", "Clean");
+            robot.panel.ended("endSpot");
+            robot.press("Clean");
             assertThat(robot.states()).isEqualTo(at("Clean", "Clean"));
             assertThat(robot.converter.history())
                     .extracting(HistoryEntry::outcome)

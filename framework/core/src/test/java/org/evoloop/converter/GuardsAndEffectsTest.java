@@ -31,15 +31,21 @@ class GuardsAndEffectsTest {
     private final Set<String> holding = new HashSet<>();
     private final List<String> log = new ArrayList<>();
     private final Set<String> spontaneous = new HashSet<>();
-    private final PushMonitor panel = new PushMonitor("Panel") {
+    private final Panel panel = new Panel();
+    private final SystemEventConverter converter =
+            new SystemEventConverter(LoopConfig.defaults("lamp", clock).withoutThreads());
+    private boolean cableIsOut;
+
+    private final class Panel extends PushMonitor {
+        private void does(String event) {
+            push(fromDevice(event));
+        }
+
         @Override
         protected Set<String> spontaneousEvents() {
             return spontaneous;
         }
-    };
-    private final SystemEventConverter converter =
-            new SystemEventConverter(LoopConfig.defaults("lamp", clock).withoutThreads());
-    private boolean cableIsOut;
+    }
 
     @AfterEach
     void close() {
@@ -295,7 +301,10 @@ class GuardsAndEffectsTest {
         });
         press("press");
         press("press");
-        assertThat(press("own")).isEqualTo("(Off, Wait)");
+        panel.does("own");
+        converter.observe(panel);
+        converter.step();
+        assertThat(converter.knowledge().configuration()).hasToString("(Off, Wait)");
     }
 
     @Test

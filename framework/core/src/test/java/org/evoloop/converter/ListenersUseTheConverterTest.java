@@ -85,7 +85,8 @@ class ListenersUseTheConverterTest {
             player.press("stop");
             player.settle();
             assertThat(player.states()).isEqualTo(at("Stopped", "Stopped"));
-            assertThat(player.converter.status().events()).isEqualTo(new ConverterStatus.EventCounts(3, 0, 0, 0));
+            assertThat(player.converter.status().events())
+                    .isEqualTo(new ConverterStatus.EventCounts(3, 3, 0, 0, 0, 0, 0, 0, 0));
         }
     }
 

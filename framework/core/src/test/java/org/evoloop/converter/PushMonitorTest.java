@@ -58,7 +58,7 @@ class PushMonitorTest {
         LoopConfig config = LoopConfig.defaults("pushed", clock).withQueueCapacity(EVENTS);
         MapeLoop<Occurrence, Occurrence, Occurrence> loop = new MapeLoop<>(config, new Strict());
         EventNames names = new EventNames(IN_ORDER.stream().map(Event::new).collect(Collectors.toSet()));
-        monitor.attach(config, loop, names, (event, values) -> Set.of());
+        monitor.attach(config, loop, names, (event, values) -> Set.of(), event -> false);
         loop.addMonitor(monitor);
         loop.addAnalyze(new Analyze<>("Analyze") {
             @Override

@@ -5,10 +5,17 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.evoloop.converter.LiveRobot.until;
 import static org.evoloop.converter.Robot.at;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicLong;
 import org.evoloop.PaperModels;
 import org.evoloop.RecordingExecute;
+import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
@@ -84,6 +91,61 @@ class RefusedPressTest {
             socket.add("Clean");
             until(() -> converter.history().size() == 1);
             assertThat(converter.knowledge().configuration()).isEqualTo(at("On", "On"));
+        }
+    }
+
+    @Test
+    void whatOnlyTheDeviceCanRaiseIsRefused() {
+        try (SystemEventConverter converter = robot(LoopConfig.defaults("robot", new ManualClock()))) {
+            converter.build();
+            converter.start();
+            assertThatThrownBy(() -> panel.press("endSpot"))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessage(
+                            "only the device itself can raise endSpot, so it cannot be pressed; a monitor reports it"
+                                    + " with fromDevice");
+            socket.add("endSpot");
+            until(() -> converter.history().size() == 1);
+            assertThat(converter.history().get(0).outcome()).isEqualTo(Outcome.IGNORED);
+            assertThat(converter.status().doubt()).isEmpty();
+        }
+    }
+
+    /** Whoever gets no exception has pressed, and whoever gets one has not, at every moment of a start and a stop. */
+    @Test
+    void pressTellsTheTruthWhileTheConverterIsStartedAndStopped() throws Exception {
+        try (SystemEventConverter converter =
+                robot(LoopConfig.defaults("robot", new ManualClock()).withQueueCapacity(1_000_000))) {
+            converter.build();
+            AtomicLong taken = new AtomicLong();
+            AtomicBoolean over = new AtomicBoolean();
+            Set<String> told = ConcurrentHashMap.newKeySet();
+            List<Thread> people = new ArrayList<>();
+            for (int person = 0; person < 4; person++) {
+                people.add(new Thread(() -> {
+                    while (!over.get()) {
+                        try {
+                            panel.press("Clean");
+                            taken.incrementAndGet();
+                        } catch (IllegalStateException refused) {
+                            told.add(refused.getMessage());
+                        }
+                        Thread.yield();
+                    }
+                }));
+            }
+            people.forEach(Thread::start);
+            for (int time = 0; time < 300; time++) {
+                converter.start();
+                Thread.yield();
+                converter.stop();
+            }
+            over.set(true);
+            for (Thread person : people) {
+                person.join();
+            }
+            assertThat(told).containsExactly("the converter robot is stopped, so Clean is refused; start it first");
+            assertThat(converter.status().queue().taken()).isEqualTo(taken.get());
         }
     }
 

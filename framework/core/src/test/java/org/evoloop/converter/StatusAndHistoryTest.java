@@ -61,13 +61,8 @@ class StatusAndHistoryTest {
         assertLast("timeout (function)", at("Clean", "SpotWait"), at("On", "On"), Outcome.HANDLED, "Clean");
         robot.controller("arriveSpot");
         assertLast("arriveSpot (controller)", at("On", "On"), at("On", "On"), Outcome.IGNORED, "not acceptable in On");
-        robot.controller("Spot").device("endSpot");
-        assertLast(
-                "endSpot (device, the device acted)",
-                at("On", "Move"),
-                at("On", "Move"),
-                Outcome.IGNORED,
-                "not acceptable in Move");
+        robot.controller("Spot").controller("Clean");
+        assertLast("Clean (controller)", at("On", "Move"), at("On", "Move"), Outcome.IGNORED, "not acceptable in Move");
         robot.panel("Spot", true);
         assertLast(
                 "Spot (panel, the device acted)",
@@ -92,7 +87,8 @@ class StatusAndHistoryTest {
         assertThat(robot.converter.history())
                 .extracting(HistoryEntry::number)
                 .containsExactly(1L, 2L, 3L, 4L, 5L, 6L, 7L, 8L, 9L, 10L, 11L);
-        assertThat(robot.converter.status().events()).isEqualTo(new ConverterStatus.EventCounts(7, 3, 0, 1));
+        assertThat(robot.converter.status().events())
+                .isEqualTo(new ConverterStatus.EventCounts(11, 7, 3, 0, 1, 0, 0, 0, 0));
     }
 
     @Test
@@ -141,7 +137,7 @@ class StatusAndHistoryTest {
         assertThat(status.loop()).isEqualTo(LoopState.RUNNING);
         assertThat(status.states()).isEqualTo(at("On", "Move"));
         assertThat(status.queue()).isEqualTo(new QueueStatus(1, 8, 1, 3, 0, 0));
-        assertThat(status.events()).isEqualTo(new ConverterStatus.EventCounts(2, 0, 0, 0));
+        assertThat(status.events()).isEqualTo(new ConverterStatus.EventCounts(3, 2, 0, 0, 0, 0, 0, 1, 0));
         assertThat(status.conversionTime()).isEqualTo(new ConverterStatus.ConversionTime(2, 0, 0, 0));
         assertThat(status.function()).isEqualTo(new ConverterStatus.RunningFunction("Move", "", "", List.of()));
         assertThat(status.link()).isNull();

@@ -94,13 +94,12 @@ class StopAndStartTest {
             robot.press("Clean");
             until(robot.converter::stop);
             robot.panel.pressed("Clean", true);
-            robot.panel.pressed("Spot", true);
             robot.awaitStates("Clean", "On");
-            until(() -> robot.converter.status().queue().depth() == 2);
+            until(() -> robot.converter.status().queue().depth() == 1);
             assertThat(robot.converter.status().queue().refused()).isZero();
 
             robot.converter.start();
-            robot.awaitHistory(3);
+            robot.awaitHistory(2);
             assertThat(robot.states()).isEqualTo(at("Clean", "Clean"));
             robot.press("Clean");
             assertThat(robot.states()).isEqualTo(at("Clean", "SpotWait"));

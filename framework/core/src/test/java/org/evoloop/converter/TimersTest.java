@@ -47,7 +47,7 @@ class TimersTest {
             robot.clock.advance(Duration.ofSeconds(6));
             fired.countDown();
             robot.awaitStates("Spot", "Spot");
-            robot.panel.press("endSpot");
+            robot.panel.ended("endSpot");
             robot.awaitStates("On", "On");
             assertThat(robot.converter.history())
                     .extracting(entry -> entry.occurrence().label())

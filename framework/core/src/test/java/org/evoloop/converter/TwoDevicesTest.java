@@ -173,7 +173,7 @@ class TwoDevicesTest {
                 .filteredOn(entry -> entry.outcome() == Outcome.HANDLED)
                 .extracting(HistoryEntry::detail)
                 .containsExactly("wake", "unlock", "open", "close", "lock");
-        assertThat(converter.status().events()).isEqualTo(new ConverterStatus.EventCounts(5, 5, 0, 0));
+        assertThat(converter.status().events()).isEqualTo(new ConverterStatus.EventCounts(10, 5, 5, 0, 0, 0, 0, 0, 0));
     }
 
     @Test

@@ -40,7 +40,7 @@ class UnknownEventTest {
         robot.controller("Clean").controller("Spot");
         Visit visit = robot.moving;
         assertThat(visit).isNotNull();
-        visit.finish("arrivespot");
+        visit.raise("arrivespot");
         robot.settle();
 
         assertThat(log.lines())

@@ -45,7 +45,7 @@ class CounterExamplesTest {
         // The device took Clean, then its own Spot, and ended in Spot.
         core.givenUp().own("Spot").sent(first, false);
 
-        assertThat(core.record()).isEqualTo("Off, in doubt");
+        assertThat(core.record()).isEqualTo("Spot, in doubt");
     }
 
     @Test

@@ -68,7 +68,8 @@ final class Exploration {
             if (deepest == depth) {
                 continue;
             }
-            List<Move> moves = Moves.of(at.snapshot(), at.world(), at.depth() + 1);
+            long time = Math.max(at.depth() + 1, at.snapshot().nowNanos());
+            List<Move> moves = Moves.of(at.snapshot(), at.world(), time);
             boolean idle = moves.stream().allMatch(move -> move.input() instanceof Input.Ready);
             Work work = at.snapshot().work();
             if (idle && work != null && work.stage() != Work.Stage.INTERRUPTED) {

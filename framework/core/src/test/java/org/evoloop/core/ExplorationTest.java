@@ -154,6 +154,40 @@ class ExplorationTest {
         explore(scene, TO_THE_END);
     }
 
+    static Stream<Scene> ofLostReports() {
+        return Stream.of(Scene.sliding(), Scene.slipping(), Scene.robot())
+                .flatMap(scene -> Stream.of(
+                        scene.with(3, Act.OWN).with(2, Act.LOSE),
+                        scene.with(2, Act.OWN).with(1, Act.LOSE, Act.PRESS, Act.STOP),
+                        scene.with(2, Act.OWN).with(1, Act.LOSE, Act.PRESS, Act.FAIL),
+                        scene.with(2, Act.OWN).with(1, Act.LOSE, Act.PRESS, Act.GIVE_UP),
+                        scene.with(2, Act.OWN).with(1, Act.LOSE, Act.PRESS, Act.END)))
+                .flatMap(ExplorationTest::bestAndWorst);
+    }
+
+    @ParameterizedTest
+    @MethodSource("ofLostReports")
+    void allStoriesInWhichAReportIsLost(Scene scene) {
+        explore(scene, TO_THE_END);
+    }
+
+    static Stream<Scene> ofOldPresses() {
+        return Stream.of(Scene.bulb(), Scene.robot(), Scene.grinder())
+                .map(scene -> scene.withPressAge(4))
+                .flatMap(scene -> Stream.of(
+                        scene.with(2, Act.PRESS).with(1, Act.OWN, Act.STOP),
+                        scene.with(2, Act.PRESS).with(1, Act.OWN, Act.GIVE_UP),
+                        scene.with(2, Act.PRESS, Act.END),
+                        scene.onFailure(OnFailure.GO_BACK).with(2, Act.PRESS).with(1, Act.FAIL, Act.END)))
+                .flatMap(ExplorationTest::bestAndWorst);
+    }
+
+    @ParameterizedTest
+    @MethodSource("ofOldPresses")
+    void allStoriesOfPressesThatBecomeTooOld(Scene scene) {
+        explore(scene, TO_THE_END);
+    }
+
     static Stream<Scene> evolving() {
         return Stream.of(Scene.dancingRobot(), Scene.busyRobot(), Scene.plainBulb())
                 .flatMap(scene -> Stream.of(

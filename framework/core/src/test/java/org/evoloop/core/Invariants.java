@@ -40,6 +40,8 @@ final class Invariants {
                         invariants.nothingIsStuck(),
                         invariants.nothingIsDoneAgain(),
                         invariants.factsAreKept(),
+                        invariants.contradictionsAreNoticed(),
+                        invariants.pressesHaveAnAge(),
                         invariants.controllersHaveTheirPlaces(),
                         invariants.theSystemFollowsTheDevice(),
                         invariants.functionsRun(),
@@ -51,7 +53,7 @@ final class Invariants {
     }
 
     private String recordIsDevice() {
-        boolean quiet = world.unreported.isEmpty() && !isInDoubt(after);
+        boolean quiet = world.unreported.isEmpty() && !isInDoubt(after) && !world.misled;
         return quiet && !after.at().original().equals(world.device)
                 ? "record: the device is in " + world.device + ", the record says " + after.at()
                 : "";
@@ -207,6 +209,44 @@ final class Invariants {
                         && work.taken() == last.taken()
                         && work.effectsRun() >= last.effectsRun();
         return kept ? "" : "again: after " + last + " comes " + work;
+    }
+
+    /** The device cannot have done what its model does not have in its recorded state, so that is wrong. */
+    private String contradictionsAreNoticed() {
+        return input instanceof Input.Observed observed
+                        && observed.occurrence() instanceof Occurrence.Heard fact
+                        && isFact(fact)
+                        && (before.work() == null || !before.work().sending())
+                        && world.rules().table().isImpossible(before.at().original(), fact.event())
+                        && !isInDoubt(after)
+                ? "contradiction: " + fact + " in " + before.at() + " leaves no doubt"
+                : "";
+    }
+
+    /** A press that is too old is not begun, and only such a press is stale. */
+    private String pressesHaveAnAge() {
+        for (Output output : said) {
+            if (output instanceof Output.Begin begin
+                    && isTooOld(begin.pending().occurrence())
+                    && begin.pending().broken() == null
+                    && (before.work() == null || Snapshots.nextStep(before.work()) != null)) {
+                return "age: " + begin + " at " + after.nowNanos();
+            }
+            if (output instanceof Output.Ended ended
+                    && ended.outcome() == Outcome.STALE
+                    && isControllers(ended.occurrence())
+                    && !isTooOld(ended.occurrence())) {
+                return "age: " + ended + " at " + after.nowNanos();
+            }
+        }
+        return "";
+    }
+
+    private boolean isTooOld(Occurrence occurrence) {
+        return isControllers(occurrence)
+                && after.nowNanos() - occurrence.observedNanos()
+                        > world.rules().pressAge().toNanos()
+                && !world.rules().table().mayDefer(((Occurrence.Heard) occurrence).event());
     }
 
     private String factsAreKept() {

@@ -1,5 +1,6 @@
 package org.evoloop.core;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -58,6 +59,7 @@ final class Likeness {
                 world.answer,
                 world.plans,
                 world.mayBeApart,
+                world.misled,
                 world.functionOf == now.visit().number(),
                 world.phase,
                 world.evolved,
@@ -105,7 +107,16 @@ final class Likeness {
                 pending.from(),
                 pending.own(),
                 pending.stepsBefore() == now.steps(),
-                pending.attempts());
+                pending.attempts(),
+                age(pending));
+    }
+
+    /** Of a press, as far as it makes a difference. */
+    private long age(Pending pending) {
+        Duration limit = world.rules().pressAge();
+        return limit.equals(Rules.ANY_AGE) || !pending.mayBeLost()
+                ? 0
+                : Math.min(now.nowNanos() - pending.occurrence().observedNanos(), limit.toNanos() + 1);
     }
 
     private Object of(Occurrence occurrence) {

@@ -125,6 +125,12 @@ final class Living {
      * An adapter that keeps the order reports what happened first; another may report facts before an earlier effect.
      */
     private void reports() {
+        if (world.may(Act.LOSE) && !world.unreported.isEmpty() && world.unreported.get(0) instanceof Token.Own lost) {
+            World next = world.spent(Act.LOSE);
+            next.unreported.remove(0);
+            next.misled = true;
+            found.add(Move.unnoticed("the report of " + lost.event() + " is lost", next));
+        }
         for (int index = 0; index < world.unreported.size(); index++) {
             Token token = world.unreported.get(index);
             boolean effect = token instanceof Token.Effect;

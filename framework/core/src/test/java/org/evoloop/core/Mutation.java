@@ -372,6 +372,19 @@ enum Mutation {
             return input instanceof Input.GivenUp ? systemStays(before, after) : after;
         }
     },
+    PRESSES_HAVE_NO_AGE("age", Scene.bulb().withPressAge(2).with(2, Act.PRESS)) {
+        @Override
+        Rules rules(Rules rules) {
+            return new Rules(rules.table(), rules.timers(), rules.queueCapacity());
+        }
+    },
+    A_CONTRADICTION_LEAVES_NO_DOUBT(
+            "contradiction", Scene.sliding().with(2, Act.OWN).with(1, Act.LOSE)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.Observed ? Snapshots.sure(after) : after;
+        }
+    },
     WHAT_ENDS_IS_NOT_COUNTED("sum", Scene.bulb().with(1, Act.PRESS)) {
         @Override
         Snapshot undo(Snapshot before, Input input, Snapshot after) {
@@ -397,7 +410,7 @@ enum Mutation {
                 Occurrence lost = ((Input.Observed) input).occurrence();
                 return new Wiring.Result(List.of(new Output.Dropped(lost, true)), Snapshots.lost(before));
             }
-            Wiring.Result real = Wiring.REAL.apply(rules, ahead(before, input), input);
+            Wiring.Result real = Wiring.REAL.apply(rules(rules), ahead(before, input), input);
             return new Wiring.Result(unsay(before, input, real.said()), undo(before, input, real.after()));
         };
     }
@@ -405,6 +418,11 @@ enum Mutation {
     /** Whether an occurrence is lost that the core would take. */
     boolean isLost(Snapshot before, Input input) {
         return false;
+    }
+
+    /** The rules by which the core works. */
+    Rules rules(Rules rules) {
+        return rules;
     }
 
     /** The snapshot that the core is given before an input. */

@@ -21,13 +21,16 @@ class SameModelsTest {
         return LongStream.concat(LongStream.rangeClosed(1, 1000), LongStream.of(new Random().nextLong()));
     }
 
-    /** A random pair, or one of the paper's; with any adapter, device and queue. */
+    /** A random pair, or one of the paper's; with any adapter, device, queue and age of presses. */
     private static Scene scene(long seed, Random random) {
         List<Scene> scenes = List.of(RandomPair.scene(seed), Scene.robot(), Scene.bulb(), Scene.lamp());
         Scene scene = scenes.get(random.nextInt(8) % scenes.size()).withQueue(random.nextInt(9));
         scene = scene.with(6, Act.values())
                 .with(20, Act.PRESS, Act.OWN, Act.RAISE)
                 .with(0, Act.EVOLVE);
+        if (random.nextInt(3) == 0) {
+            scene = scene.withPressAge(1 + random.nextInt(40));
+        }
         return scene.kinds().get(random.nextInt(4));
     }
 

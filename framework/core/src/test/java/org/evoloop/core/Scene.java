@@ -48,6 +48,8 @@ record Scene(
         OWN,
         /** The device changes its state outside its model, and is found there. */
         JUMP,
+        /** A report of what the device did by itself is lost, so that the record is wrong. */
+        LOSE,
         /** A function or a late timer raises an event, possibly of the previous visit. */
         RAISE,
         /** A function asks for an event of the device. */
@@ -182,6 +184,19 @@ record Scene(
         return new Rules(table, state -> timersOf(timers, state), queueCapacity);
     }
 
+    /** A device that slides twice before it can be brought back, and a new model with a function between. */
+    static Scene sliding() {
+        return of(
+                "sliding",
+                new ModelPair(
+                        machine("device", "A first -> B", "B second -> C", "C go -> A", "A go -> A", "B go -> A"),
+                        machine("new", "A first -> B", "B second -> W", "W back -> A", "A go -> A", "B go -> A")),
+                Map.of(),
+                "go",
+                "first second",
+                2);
+    }
+
     /** The robot, whose next models add a dance and drop the detour by SpotWait. */
     static Scene dancingRobot() {
         return robot().evolvingTo(
@@ -275,6 +290,13 @@ record Scene(
     Scene withQueue(int capacity) {
         Rules other = new Rules(rules.table(), rules.timers(), capacity);
         String changed = name + ", queue of " + capacity;
+        return new Scene(changed, other, other, mapping, presses, own, raised, inOrder, canLocate, times);
+    }
+
+    /** The same scene in which a press may be this old when its turn comes; each input takes a nanosecond. */
+    Scene withPressAge(long nanos) {
+        Rules other = new Rules(rules.table(), rules.timers(), rules.queueCapacity(), Duration.ofNanos(nanos));
+        String changed = name + ", presses of " + nanos + " ns";
         return new Scene(changed, other, other, mapping, presses, own, raised, inOrder, canLocate, times);
     }
 

@@ -55,6 +55,9 @@ final class World {
      */
     boolean mayBeApart;
 
+    /** Whether the record may be wrong from now on, because a report was lost. */
+    boolean misled;
+
     /** The last visit whose function was started, or continues in other models; 0 if there is none. */
     long functionOf;
 
@@ -82,6 +85,7 @@ final class World {
         answer = same.answer;
         plans = new LinkedHashSet<>(same.plans);
         mayBeApart = same.mayBeApart;
+        misled = same.misled;
         functionOf = same.functionOf;
         phase = same.phase;
         evolved = same.evolved;

@@ -27,6 +27,10 @@ final class Cursor {
         end = from + length;
     }
 
+    boolean isAtEnd() {
+        return at == end;
+    }
+
     void requireEnd() {
         if (at != end) {
             throw new Senseless((end - at) + " bytes are too many");

@@ -31,6 +31,7 @@ import org.evoloop.statemachine.StateMachine;
  * @param device the events between converter and device
  * @param timers the timers of the states that have any
  * @param queueCapacity see {@link Rules}
+ * @param pressAge see {@link Rules}
  */
 record Head(
         String fingerprint,
@@ -41,7 +42,8 @@ record Head(
         long nowNanos,
         DeviceEvents device,
         Map<State, Map<Event, Duration>> timers,
-        int queueCapacity) {
+        int queueCapacity,
+        Duration pressAge) {
 
     /** @param built the fingerprint of the models with which the converter was built */
     static Head of(String fingerprint, String built, Rules rules, long wallNanos, long nowNanos) {
@@ -62,7 +64,8 @@ record Head(
                 nowNanos,
                 rules.table().device(),
                 timers,
-                rules.queueCapacity());
+                rules.queueCapacity(),
+                rules.pressAge());
     }
 
     /** Whether {@code other} has the same rules. */
@@ -70,7 +73,8 @@ record Head(
         return fingerprint.equals(other.fingerprint)
                 && device.equals(other.device)
                 && timers.equals(other.timers)
-                && queueCapacity == other.queueCapacity;
+                && queueCapacity == other.queueCapacity
+                && pressAge.equals(other.pressAge);
     }
 
     /**
@@ -85,13 +89,13 @@ record Head(
         if (!device.equals(table.device())) {
             table = DecisionTable.compile(table.models(), device);
         }
-        return new Rules(table, state -> timers.getOrDefault(state, Map.of()), queueCapacity);
+        return new Rules(table, state -> timers.getOrDefault(state, Map.of()), queueCapacity, pressAge);
     }
 
     /** The rules by which the segment was written, with the models that it contains. */
     Rules rules() {
         DecisionTable table = DecisionTable.compile(models, device);
-        return new Rules(table, state -> timers.getOrDefault(state, Map.of()), queueCapacity);
+        return new Rules(table, state -> timers.getOrDefault(state, Map.of()), queueCapacity, pressAge);
     }
 
     /** The time of day when the converter's monotonic clock showed {@code nanos}. */
@@ -128,6 +132,7 @@ record Head(
             });
         });
         bytes.number(queueCapacity);
+        bytes.number(pressAge.toNanos());
     }
 
     private static void onFailure(Bytes bytes, Map<State, Map<String, OnFailure>> all) {
@@ -177,8 +182,10 @@ record Head(
             timers.put(new State(cursor.text()), timersOfState(cursor));
         }
         int capacity = (int) cursor.number();
+        // A segment of the time before presses had an age does not have it.
+        Duration pressAge = cursor.isAtEnd() ? Rules.ANY_AGE : Duration.ofNanos(cursor.number());
         cursor.requireEnd();
-        return new Head(fingerprint, built, models, boot, wallNanos, nowNanos, device, timers, capacity);
+        return new Head(fingerprint, built, models, boot, wallNanos, nowNanos, device, timers, capacity, pressAge);
     }
 
     private static DeviceEvents device(Cursor cursor) {

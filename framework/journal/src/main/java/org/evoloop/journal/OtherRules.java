@@ -18,8 +18,8 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 
 /**
- * Other models under the conditions of a recorded converter: the events that can be sent, timers, and the queue's
- * capacity.
+ * Other models under the conditions of a recorded converter: the events that can be sent, timers, and how many
+ * presses may wait, and how long.
  */
 final class OtherRules {
     private final ModelPair models;
@@ -32,7 +32,7 @@ final class OtherRules {
         DecisionTable table = DecisionTable.compile(models, device(head.device(), head.models()));
         Map<State, Map<Event, Duration>> timers = new HashMap<>();
         models.evolved().states().forEach(state -> timers.put(state, timers(state, head)));
-        return new Rules(table, state -> timers.getOrDefault(state, Map.of()), head.queueCapacity());
+        return new Rules(table, state -> timers.getOrDefault(state, Map.of()), head.queueCapacity(), head.pressAge());
     }
 
     /** Events that only the other device knows can be sent, unless they are the device's own. */

@@ -5,6 +5,7 @@ import java.io.InputStreamReader;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -65,7 +66,9 @@ final class KilledConverter {
 
     /** @param args the directory, and when to force */
     public static void main(String[] args) throws Exception {
-        LoopConfig config = LoopConfig.defaults("killed", new SystemClock()).withQueueCapacity(100_000);
+        LoopConfig config = LoopConfig.defaults("killed", new SystemClock())
+                .withQueueCapacity(100_000)
+                .withPressAge(Duration.ofDays(1));
         SystemEventConverter converter = new SystemEventConverter(config);
         Buttons buttons = new Buttons();
         converter.addMonitor(buttons);

@@ -138,10 +138,15 @@ class NothingIsLostTest {
         left.set(0);
         try (SystemEventConverter next = converter()) {
             ConverterStatus recovered = next.status();
-            assertThat(recovered.events()).isEqualTo(last.events());
+            assertThat(recovered.events())
+                    .usingRecursiveComparison()
+                    .comparingOnlyFields("handled", "ignored", "stale", "failed")
+                    .isEqualTo(last.events());
             assertThat(recovered.queue().dropped()).isEqualTo(last.queue().dropped());
             assertThat(recovered.queue().refused()).isEqualTo(last.queue().refused());
-            assertThat(sum(recovered)).isEqualTo(sum(last));
+            // In doubt, the device is asked once more, if that does not already wait.
+            assertThat(sum(recovered))
+                    .isBetween(sum(last), sum(last) + (last.doubt().isEmpty() ? 0 : 1));
         }
         clock.close();
     }

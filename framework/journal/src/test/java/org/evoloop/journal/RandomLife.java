@@ -30,9 +30,10 @@ import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A player with a journal, without threads, to which anything happens: presses, its own buttons, timers, functions that
- * raise events, guards that change, sends and effects that fail or stay unknown, stops and starts in the middle of a send,
- * other components, equal models that take over, a shadow of equal models, crashes anywhere.
+ * A player with a journal, without threads, to which anything happens: presses that may become too old, its own buttons,
+ * reports that cannot be true, timers, functions that raise events, guards that change, sends and effects that fail or
+ * stay unknown, stops and starts in the middle of a send, other components, equal models that take over, a shadow of equal
+ * models, crashes anywhere.
  */
 final class RandomLife implements AutoCloseable {
     private static final List<String> EVENTS = List.of("play", "pause", "stop", "fade", "doze", "nap");
@@ -42,7 +43,7 @@ final class RandomLife implements AutoCloseable {
     private final Path directory;
     private final Random random;
     private final ManualClock clock = new ManualClock();
-    private final int queue;
+    private final LoopConfig config;
     private SystemEventConverter converter;
     private Buttons buttons;
     private Driver driver;
@@ -55,7 +56,10 @@ final class RandomLife implements AutoCloseable {
     RandomLife(Path directory, Random random) {
         this.directory = directory;
         this.random = random;
-        this.queue = random.nextInt(9);
+        LoopConfig config = LoopConfig.defaults("player", clock)
+                .withQueueCapacity(random.nextInt(9))
+                .withoutThreads();
+        this.config = random.nextBoolean() ? config : config.withPressAge(Duration.ofSeconds(1 + random.nextInt(9)));
         begin();
     }
 
@@ -200,8 +204,7 @@ final class RandomLife implements AutoCloseable {
     }
 
     private void begin() {
-        converter = new SystemEventConverter(
-                LoopConfig.defaults("player", clock).withQueueCapacity(queue).withoutThreads());
+        converter = new SystemEventConverter(config);
         buttons = new Buttons();
         driver = new Driver("Driver" + drivers++);
         converter.addMonitor(buttons);

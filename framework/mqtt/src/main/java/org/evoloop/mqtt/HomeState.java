@@ -104,7 +104,9 @@ final class HomeState {
                 .put("ignored", status.events().ignored())
                 .put("stale", status.events().stale())
                 .put("failed", status.events().failed())
-                .put("waiting", status.queue().depth())
+                .put("observed", status.events().observed())
+                .put("waiting", status.events().waiting())
+                .put("in_progress", status.events().inProgress())
                 .put("dropped", status.queue().dropped())
                 .put("refused", status.queue().refused())
                 .put("conversion_millis", millis(status.conversionTime().medianNanos()))
@@ -138,7 +140,8 @@ final class HomeState {
                 .put("state_before", entry.before().evolved().name())
                 .put("state", entry.after().evolved().name())
                 .put("number", entry.number())
-                .put("at", entry.at().toString());
+                .put("at", entry.at().toString())
+                .put("observed_at", entry.observedAt().toString());
     }
 
     /** A refused command. */

@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
  * An event and the reason for its outcome, for the page:
  *
  * <ul>
- *   <li>{@code number}, {@code at}, {@code event} (with guards), {@code source}, {@code deviceActed}, {@code values},
+ *   <li>{@code number}, {@code at}, {@code observedAt}, {@code event} (with guards), {@code source}, {@code deviceActed}, {@code values},
  *   {@code outcome}, {@code detail}, {@code tookNanos}
  *   <li>{@code before}, {@code after}: {@code original}, {@code new}
  *   <li>{@code decision}: its {@code kind}, such as {@code existing-function}; {@code transition} of the new model;
@@ -28,6 +28,7 @@ final class EntryJson {
         return new JsonObject()
                 .put("number", entry.number())
                 .put("at", entry.at().toString())
+                .put("observedAt", entry.observedAt().toString())
                 .put("event", entry.occurrence().label())
                 .put("source", entry.occurrence().source().name().toLowerCase(Locale.ROOT))
                 .put("deviceActed", entry.occurrence().isFact())

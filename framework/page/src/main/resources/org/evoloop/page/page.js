@@ -120,6 +120,7 @@ function explain(event) {
   $('headline').textContent = `${event.number}. ${event.event}: ${OUTCOMES[event.outcome] ?? event.outcome}`;
   list($('why'), [
     ['When', new Date(event.at).toLocaleString()],
+    ['Observed', event.tookNanos >= 1e9 ? new Date(event.observedAt).toLocaleString() : ''],
     ['From', isViolation(event) ? '' : event.source + (event.deviceActed ? ', the device has already acted' : '') + (event.values ? `, ${event.values}` : '')],
     ['Original model', event.before.original === event.after.original ? `stays in ${event.after.original}` : `${event.before.original} → ${event.after.original}`],
     ['New model', event.before.new === event.after.new ? `stays in ${event.after.new}` : `${event.before.new} → ${event.after.new}`],

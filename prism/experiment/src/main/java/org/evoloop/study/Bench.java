@@ -24,7 +24,7 @@ import org.jspecify.annotations.Nullable;
  * doing while there is an event in the loop, by the bench's while there is none. So the same seed gives the same run.
  */
 final class Bench implements AutoCloseable {
-    /** In the clock's time: the device may take as long as it likes. */
+    /** In the clock's time: the device may take as long as it likes, and events wait as long as that. */
     private static final Duration NO_LIMIT = Duration.ofDays(365);
 
     final SimulatedTime time = new SimulatedTime();
@@ -51,6 +51,7 @@ final class Bench implements AutoCloseable {
         // The event that is in the loop has left the queue.
         LoopConfig usual = LoopConfig.defaults("study", time.clock())
                 .withQueueCapacity(point.capacity() - 1)
+                .withPressAge(NO_LIMIT)
                 .withStepLimit(NO_LIMIT);
         config = threads ? usual : usual.withoutThreads();
         journals = point.disturbances().journal() ? temporaryFolder() : null;

@@ -171,7 +171,7 @@ final class SnapshotReader {
         long stepsBefore = items.number();
         boolean settled = items.choice("settled", "open");
         String why = ended(items.text());
-        return new Doubt(why, number, someStep(), stepsBefore, meanwhile(), settled);
+        return new Doubt(why, number, step("step"), stepsBefore, meanwhile(), settled);
     }
 
     private @Nullable Work work() {

@@ -185,6 +185,12 @@ public final class HostedVisit implements Visit {
         Last ending = new Last(new Event(event), requireNonNull(carried, "the values are null"));
         if (isActive()) {
             host.requireNotDeferred(this, ending.event());
+            String unexpected = host.unexpected(this, ending.event());
+            if (!unexpected.isEmpty()) {
+                // Reported here: on a thread that is not the function's, nobody may hear of an exception.
+                host.failed(this, new IllegalArgumentException(unexpected));
+                return;
+            }
         }
         finish(ending);
     }
@@ -235,6 +241,10 @@ public final class HostedVisit implements Visit {
         Last ending = new Last(new Event(event), Values.NONE);
         host.requireKnown(ending.event());
         host.requireNotDeferred(this, ending.event());
+        String unexpected = host.unexpected(this, ending.event());
+        if (!unexpected.isEmpty()) {
+            throw new IllegalArgumentException(unexpected);
+        }
         return ending;
     }
 
@@ -317,6 +327,10 @@ public final class HostedVisit implements Visit {
     /** Calls {@code function} and delivers its last event. */
     void run(NewFunction function) {
         synchronized (lock) {
+            if (ended) {
+                // It was left before its thread ran; by now another visit may have begun.
+                return;
+            }
             running = true;
         }
         try {

@@ -36,6 +36,11 @@ public interface VisitHost {
     void requireNotDeferred(Visit visit, Event event);
 
     /**
+     * Why the visited state has no use for an event, whose name it does not have; empty if it has it. For people.
+     */
+    String unexpected(Visit visit, Event event);
+
+    /**
      * Queues an event that the visit raises; waits while the queue is full.
      *
      * @throws InterruptedException if the thread is interrupted while it waits

@@ -44,6 +44,11 @@ class FunctionRunnerTest {
         public void requireKnown(Event event) {}
 
         @Override
+        public String unexpected(Visit finishing, Event event) {
+            return "";
+        }
+
+        @Override
         public void requireNotDeferred(Visit visit, Event event) {}
 
         @Override

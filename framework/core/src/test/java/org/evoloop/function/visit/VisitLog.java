@@ -22,6 +22,10 @@ public final class VisitLog implements VisitHost {
     public final List<String> notices = new CopyOnWriteArrayList<>();
     public final BlockingQueue<Throwable> failures = new LinkedBlockingQueue<>();
     public final Set<String> accepted = new HashSet<>();
+
+    /** Events with which the function must not end. */
+    public final Set<String> unexpected = new HashSet<>();
+
     private final boolean threads;
     private long visits;
 
@@ -56,6 +60,11 @@ public final class VisitLog implements VisitHost {
     @Override
     public void requireKnown(Event event) {
         // Every event is known here.
+    }
+
+    @Override
+    public String unexpected(Visit finishing, Event event) {
+        return unexpected.contains(event.name()) ? finishing.state() + " does not know " + event : "";
     }
 
     @Override

@@ -23,6 +23,31 @@ class VisitTest {
     }
 
     @Test
+    void aFunctionThatWasLeftBeforeItsThreadRanNeverRuns() {
+        visit.end();
+        visit.run(running -> {
+            throw new AssertionError("it runs beside the next visit");
+        });
+        assertThat(log.failures).isEmpty();
+    }
+
+    @Test
+    void anEventThatTheStateDoesNotKnowIsTheFunctionsFailureAndDoesNotEndIt() {
+        log.unexpected.add("arriveSpt");
+        visit.run(running -> {
+            running.finish("arriveSpt");
+            assertThat(log.failures)
+                    .singleElement()
+                    .hasToString("java.lang.IllegalArgumentException: Move does not know arriveSpt");
+            running.finish("arriveSpot");
+        });
+        assertThat(log.events).containsExactly("finished arriveSpot");
+        assertThatThrownBy(() -> visit.finishAfter(Duration.ofSeconds(1), "arriveSpt"))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("Move does not know arriveSpt");
+    }
+
+    @Test
     void onlyTheFirstFinishCounts() {
         visit.finish("arriveSpot");
         visit.finish("timeout");

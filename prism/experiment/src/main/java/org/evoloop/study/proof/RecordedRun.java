@@ -19,6 +19,7 @@ import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.converter.UnknownEffectException;
+import org.evoloop.core.Rules;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Step;
 import org.evoloop.function.NewFunction;
@@ -207,7 +208,8 @@ final class RecordedRun {
     private void begin() {
         ended = false;
         converter = new SystemEventConverter(LoopConfig.defaults("recorded", clock)
-                .withQueueCapacity(evolution.rules().queueCapacity()));
+                .withQueueCapacity(evolution.rules().queueCapacity())
+                .withPressAge(Rules.ANY_AGE));
         controller = new Controller();
         panel = new Panel(names(evolution.own()));
         converter.addMonitor(controller);

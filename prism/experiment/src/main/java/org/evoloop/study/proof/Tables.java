@@ -55,6 +55,8 @@ final class Tables {
         }
         line("hidden byte own_table[DEVICE1 * EVENTS1];");
         line("hidden byte is_own_table[EVENTS1];");
+        line("hidden byte has_table[EVENTS1];");
+        line("hidden byte only_table[EVENTS1];");
         choices();
         line("#else");
         events(evolution.rules().table());
@@ -125,6 +127,9 @@ final class Tables {
         for (Event event : evolution.events()) {
             int number = evolution.number(event);
             put("is_own_table", "" + number, table.isDevicesOwn(event) ? 1 : 0);
+            State only = table.onlyTarget(event);
+            put("has_table", "" + number, table.models().original().triggers().contains(event) ? 1 : 0);
+            put("only_table", "" + number, only == null ? 0 : evolution.number(only, true));
             for (State state : evolution.deviceStates()) {
                 Step own = table.ownStep(state, event, guard -> false);
                 int from = evolution.number(state, true);
