@@ -46,7 +46,7 @@ final class Clocks {
         this.gaps = written.assumptions(Assumption.Gap.class);
         this.comings = comings(pair, written);
         this.monitors =
-                forms.stream().map(form -> TimeMonitor.of(form, ticks.nanos())).toList();
+                forms.stream().map(form -> TimeMonitor.ofFirst(form, ticks.nanos())).toList();
         largest.add(Exploration.MOST_SITUATIONS);
         largest.add(takes.values().stream()
                 .mapToInt(span -> ticks.of(span.maxNanos()))

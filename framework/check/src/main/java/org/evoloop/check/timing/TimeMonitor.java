@@ -18,6 +18,9 @@ public abstract sealed class TimeMonitor {
     /** No time. */
     public static final long NONE = Long.MIN_VALUE;
 
+    /** How many beginnings of a response are told apart while a converter runs. */
+    private static final int WAITING = 1024;
+
     /** The stored times. */
     final long[] marks;
 
@@ -33,12 +36,25 @@ public abstract sealed class TimeMonitor {
     }
 
     /**
-     * A monitor with times in units of {@code unitNanos}, of which all durations in {@code form} are multiples.
+     * A monitor with times in units of {@code unitNanos}, of which all durations in {@code form} are multiples. It finds
+     * each violation, as long as at most 1,024 beginnings of a response wait at once.
      */
     public static TimeMonitor of(TimeForm form, long unitNanos) {
+        return of(form, unitNanos, WAITING);
+    }
+
+    /**
+     * A monitor that finds the first violation, with as little memory as that takes. For that, the oldest and the newest
+     * beginning that wait are enough.
+     */
+    static TimeMonitor ofFirst(TimeForm form, long unitNanos) {
+        return of(form, unitNanos, 2);
+    }
+
+    private static TimeMonitor of(TimeForm form, long unitNanos, int waiting) {
         if (form instanceof TimeForm.Response response) {
             return new Response(
-                    response.span().minNanos() / unitNanos, response.span().maxNanos() / unitNanos);
+                    response.span().minNanos() / unitNanos, response.span().maxNanos() / unitNanos, waiting);
         } else if (form instanceof TimeForm.Stay stay) {
             long max = stay.span().maxNanos();
             return new Stay(stay.span().minNanos() / unitNanos, max == Span.FOR_EVER ? max : max / unitNanos);
@@ -58,7 +74,7 @@ public abstract sealed class TimeMonitor {
     /**
      * A moment.
      *
-     * @param now not before any earlier time; {@link #lapsed} must have been called for it
+     * @param now not before any earlier time; {@link #lapsed} must have been called for it, until it returned false
      * @return whether this violates the property
      */
     public final boolean sees(long now, boolean subject, boolean other) {
@@ -78,13 +94,14 @@ public abstract sealed class TimeMonitor {
 
     /**
      * Advances the time to {@code now}, with nothing having happened since the last moment; returns whether that
-     * violates the property.
+     * violates the property. To be called again until it does not, since each beginning has a deadline of its own.
      */
     public final boolean lapsed(long now) {
         long deadline = deadline();
         boolean late = deadline != NONE && now > deadline;
         if (late) {
-            marks[0] = NONE;
+            System.arraycopy(marks, 1, marks, 0, marks.length - 1);
+            marks[marks.length - 1] = NONE;
         }
         return late;
     }
@@ -96,30 +113,39 @@ public abstract sealed class TimeMonitor {
         return one == NONE ? NONE : Math.max(one, other);
     }
 
-    /** Since the oldest and the newest beginning that wait. */
+    /** When those began that wait, the oldest first; if there are too many, the newest replaces the one before it. */
     private static final class Response extends TimeMonitor {
         private final long min;
         private final long max;
 
-        Response(long min, long max) {
-            super(2);
+        Response(long min, long max, int waiting) {
+            super(waiting);
             this.min = min;
             this.max = max;
         }
 
         @Override
         boolean moment(long now, boolean begins, boolean ends, boolean other) {
-            if (begins) {
-                marks[0] = marks[0] == NONE ? now : marks[0];
-                marks[1] = now;
+            int newest = newest();
+            if (begins && (newest < 0 || marks[newest] != now)) {
+                newest = Math.min(newest + 1, marks.length - 1);
+                marks[newest] = now;
             }
-            if (marks[0] == NONE || !other) {
+            if (newest < 0 || !other) {
                 return false;
             }
             measured = now - marks[0];
-            boolean broken = measured > max || now - marks[1] < min;
-            marks[0] = NONE;
+            boolean broken = measured > max || now - marks[newest] < min;
+            Arrays.fill(marks, 0, newest + 1, NONE);
             return broken;
+        }
+
+        private int newest() {
+            int newest = -1;
+            while (newest + 1 < marks.length && marks[newest + 1] != NONE) {
+                newest++;
+            }
+            return newest;
         }
 
         @Override
@@ -127,9 +153,10 @@ public abstract sealed class TimeMonitor {
             return marks[0] == NONE ? NONE : marks[0] + max;
         }
 
+        /** Until the first violation, the newest matters only while it can be answered too soon. */
         @Override
         void forget(long now) {
-            marks[1] = marks[0] == NONE ? NONE : max(marks[1], now - min);
+            marks[1] = marks[1] != NONE && now - marks[1] < min ? marks[1] : NONE;
         }
     }
 

@@ -15,7 +15,8 @@ import org.jspecify.annotations.Nullable;
  * Watches the time properties of an evolution while it runs, with the same monitors as the check. What a property
  * observes of a configuration and an event is computed once; after that, nothing is allocated.
  *
- * <p>Earlier events are unknown, and nothing counts as violated because of them.
+ * <p>It begins in the models' initial states, as the check does, or in others. The events that led there are then
+ * unknown, and nothing counts as violated there.
  *
  * <p>Threading: not thread-safe.
  *
@@ -27,8 +28,8 @@ public final class TimeWatch implements Sentry {
     private final TimeForm[] forms;
     private final TimeMonitor[] monitors;
 
-    /** Violations not reported yet. */
-    private final boolean[] violated;
+    /** How many violations of each are not reported yet. */
+    private final int[] violated;
 
     private final Map<Configuration, int[]> lasting = new HashMap<>();
     private final Map<Event, Map<Configuration, int[]>> coming = new HashMap<>();
@@ -46,13 +47,15 @@ public final class TimeWatch implements Sentry {
         int count = rules.properties().size();
         forms = new TimeForm[count];
         monitors = new TimeMonitor[count];
-        violated = new boolean[count];
+        violated = new int[count];
         for (int index = 0; index < count; index++) {
             forms[index] = rules.properties().get(index).form();
             monitors[index] = TimeMonitor.of(forms[index], 1);
         }
         see(codes(null));
-        Arrays.fill(violated, false);
+        if (!at.equals(pair.initial())) {
+            Arrays.fill(violated, 0);
+        }
     }
 
     @Override
@@ -78,13 +81,15 @@ public final class TimeWatch implements Sentry {
         // An earlier observation may be reported later.
         now = Math.max(now, atNanos);
         for (int index = 0; index < monitors.length; index++) {
-            violated[index] |= monitors[index].lapsed(now);
+            while (monitors[index].lapsed(now)) {
+                violated[index]++;
+            }
         }
     }
 
     private void see(int[] codes) {
         for (int index = 0; index < monitors.length; index++) {
-            violated[index] |= monitors[index].sees(now, (codes[index] & 1) != 0, (codes[index] & 2) != 0);
+            violated[index] += monitors[index].sees(now, (codes[index] & 1) != 0, (codes[index] & 2) != 0) ? 1 : 0;
         }
     }
 
@@ -115,7 +120,7 @@ public final class TimeWatch implements Sentry {
     public long dueNanos() {
         long due = NEVER;
         for (int index = 0; index < monitors.length; index++) {
-            long deadline = violated[index] ? now - 1 : monitors[index].deadline();
+            long deadline = violated[index] > 0 ? now - 1 : monitors[index].deadline();
             // At the deadline itself the property may still be satisfied.
             due = deadline == TimeMonitor.NONE ? due : Math.min(due, deadline + 1);
         }
@@ -125,8 +130,8 @@ public final class TimeWatch implements Sentry {
     @Override
     public @Nullable Violation poll() {
         for (int index = 0; index < violated.length; index++) {
-            if (violated[index]) {
-                violated[index] = false;
+            if (violated[index] > 0) {
+                violated[index]--;
                 String name = rules.properties().get(index).name();
                 return new Violation(name, raised(name));
             }
