@@ -79,8 +79,8 @@ public final class Main {
             ModelPair read = Models.read(file(settings)).pair();
             if (settings.isOnlyShown()) {
                 try (Clock clock = new SystemClock();
-                        SystemEventConverter converter =
-                                converter(read, new PushMonitor("WallSwitch"), new Lamp(), clock)) {
+                        SystemEventConverter converter = converter(
+                                read, new PushMonitor("WallSwitch"), new Lamp(), ServiceOptions.of(settings), clock)) {
                     converter.build();
                 }
             }

@@ -49,7 +49,8 @@ class InstancesTest {
         ServiceOptions options = ServiceOptions.of(ServiceOptions.OPTIONS.read(
                 List.of("--name", "lamp-2", "--start", "--journal", "kept", "--on-trouble", "tell me"), Map.of()));
 
-        assertThat(options).isEqualTo(new ServiceOptions(true, "lamp-2", Path.of("kept"), Duration.ofSeconds(10), "tell me"));
+        assertThat(options)
+                .isEqualTo(new ServiceOptions(true, "lamp-2", Path.of("kept"), Duration.ofSeconds(10), "tell me"));
         assertThatThrownBy(() -> ServiceOptions.OPTIONS.read(List.of("--on-trouble", " "), Map.of()))
                 .hasMessage("--on-trouble: the command is empty; leave the option out to run nothing");
         assertThatThrownBy(() -> ServiceOptions.OPTIONS.read(List.of("--name", "a.b"), Map.of()))
