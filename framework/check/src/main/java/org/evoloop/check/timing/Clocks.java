@@ -45,8 +45,9 @@ final class Clocks {
         this.takes = takes;
         this.gaps = written.assumptions(Assumption.Gap.class);
         this.comings = comings(pair, written);
-        this.monitors =
-                forms.stream().map(form -> TimeMonitor.ofFirst(form, ticks.nanos())).toList();
+        this.monitors = forms.stream()
+                .map(form -> TimeMonitor.ofFirst(form, ticks.nanos()))
+                .toList();
         largest.add(Exploration.MOST_SITUATIONS);
         largest.add(takes.values().stream()
                 .mapToInt(span -> ticks.of(span.maxNanos()))

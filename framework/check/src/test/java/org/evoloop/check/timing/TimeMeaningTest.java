@@ -236,10 +236,7 @@ class TimeMeaningTest {
     }
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            textBlock =
-                    """
+    @CsvSource(delimiter = '|', textBlock = """
             Off only after 2 s of On                 | true
             device Off only after 1 s of On          | true
             after Off, device Off within 1 s .. 2 s  | true
@@ -248,7 +245,8 @@ class TimeMeaningTest {
             Off never shorter than 1 s               | false
             """)
     void aViolationAtTheStartIsToldAsTheCheckTellsIt(String line, boolean isAtStart) {
-        TimeRules rules = PropertyFile.parse("lamp.txt", "queue 0\n" + line, LAMP).time();
+        TimeRules rules =
+                PropertyFile.parse("lamp.txt", "queue 0\n" + line, LAMP).time();
         TimeWatch watch = new TimeWatch(rules, LAMP, LAMP.initial(), 5);
         assertThat(watch.dueNanos() == 5).isEqualTo(isAtStart);
         assertThat(watch.poll() != null).isEqualTo(isAtStart);
@@ -264,8 +262,8 @@ class TimeMeaningTest {
 
     @Test
     void whereItGoesOnNothingIsViolatedYet() {
-        TimeRules rules = PropertyFile.parse("lamp.txt", "Dim only after 2 s of On", LAMP)
-                .time();
+        TimeRules rules =
+                PropertyFile.parse("lamp.txt", "Dim only after 2 s of On", LAMP).time();
         Configuration dim = new Configuration(new State("On"), new State("Dim"));
         TimeWatch watch = new TimeWatch(rules, LAMP, dim, 0);
         assertThat(watch.dueNanos()).isEqualTo(Sentry.NEVER);
