@@ -165,16 +165,26 @@ class MutationTest {
         }
     }
 
+    private static final class Panel extends PushMonitor {
+        Panel() {
+            super("Panel");
+        }
+
+        @Override
+        protected Set<String> spontaneousEvents() {
+            return Set.of("endSpot");
+        }
+
+        void ended() {
+            push(fromDevice("endSpot"));
+        }
+    }
+
     /** A converter without threads, whose device follows the original model exactly. */
     private static final class Walk implements AutoCloseable {
         private final ModelPair pair;
         private final Random random;
-        private final PushMonitor panel = new PushMonitor("Panel") {
-            @Override
-            protected Set<String> spontaneousEvents() {
-                return Set.of("endSpot");
-            }
-        };
+        private final Panel panel = new Panel();
         private final SystemEventConverter converter = new SystemEventConverter(
                 LoopConfig.defaults("robot", new ManualClock()).withoutThreads());
         private final List<String> raised;
@@ -229,7 +239,7 @@ class MutationTest {
                     pair.original().nextState(device, new Event("endSpot")).orElse(null);
             if (ended != null && random.nextInt(3) == 0) {
                 device = ended;
-                panel.press("endSpot");
+                panel.ended();
                 return "endSpot";
             }
             String event = raised.get(random.nextInt(raised.size()));

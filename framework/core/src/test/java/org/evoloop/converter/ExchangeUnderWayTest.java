@@ -110,9 +110,11 @@ class ExchangeUnderWayTest {
 
             atLast.countDown();
             assertThat(take(robot.sent)).isEqualTo("Device:Spot");
+            // Earlier, the report would be impossible.
+            robot.awaitStates("Spot", "Spot");
             robot.panel.ended("endSpot");
             robot.press("Clean");
-            assertThat(robot.states()).isEqualTo(at("Clean", "Clean"));
+            robot.awaitStates("Clean", "Clean");
             assertThat(robot.converter.history())
                     .extracting(HistoryEntry::outcome)
                     .doesNotContain(Outcome.STALE);
