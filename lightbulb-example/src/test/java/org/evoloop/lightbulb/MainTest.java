@@ -189,7 +189,7 @@ class MainTest {
                 .satisfiesExactly(
                         line -> assertThat(line).isEqualTo("error: the options have 3 mistakes:"),
                         line -> assertThat(line).startsWith("  " + file + ":1: page takes a port"),
-                        line -> assertThat(line).startsWith("  " + file + ":2: " + file + ": is damaged or not XML"),
+                        line -> assertThat(line).startsWith("  " + file + ":2: " + file + ": is a YAML file"),
                         line -> assertThat(line).startsWith("  " + file + ":3: switch-pin takes a GPIO number"));
 
         Files.writeString(file.toPath(), "program: lightbulb\nmodels: " + ROOT + "/models/light-bulb.xml\n");

@@ -259,7 +259,7 @@ class CommandsTest {
                 .containsExactly(
                         "lines (2 states, 1 events, 1 transitions), starts in A?1",
                         "B does invoke(src='three?();')",
-                        "state  event  guard     effects        next state",
+                        "state  event  guard    effects        next state",
                         "A?1    e      x?and y  one();?two();  B");
         assertThat(Tool.run("show", file.toString()).out().lines())
                 .contains("  A?1", "    e [x?and y] / one();?two(); -> B");

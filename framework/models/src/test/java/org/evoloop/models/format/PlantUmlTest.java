@@ -60,6 +60,6 @@ class PlantUmlTest {
                                 + "<transition event='over' target='d1'/></state></state>"
                                 + "<state id='d'><state id='d1'/></state></parallel></state>")
                         .lines())
-                .containsSubsequence("    --", "  }", "v6 --> v3 : over (to d1)", "@enduml");
+                .containsSubsequence("    --", "  }", "v7 --> v3 : over (to d1)", "@enduml");
     }
 }
