@@ -21,7 +21,6 @@ import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.journal.Journal;
 import org.evoloop.journal.JournalException;
-import org.evoloop.loop.LoopConfig;
 import org.evoloop.mqtt.HomeAssistant;
 import org.evoloop.mqtt.MqttOptions;
 import org.evoloop.page.Page;
@@ -79,7 +78,7 @@ public final class Main {
             ModelPair read = Models.read(file(settings)).pair();
             if (settings.isOnlyShown()) {
                 try (Clock clock = new SystemClock();
-                        SystemEventConverter converter = converter(
+                        SystemEventConverter converter = LampConverter.of(
                                 read, new PushMonitor("WallSwitch"), new Lamp(), ServiceOptions.of(settings), clock)) {
                     converter.build();
                 }
@@ -105,18 +104,6 @@ public final class Main {
         return settings.get(MODELS).orElseGet(() -> ModelFiles.find("models/light-bulb.xml", Main.class));
     }
 
-    /** Without its wires and its journal. */
-    private static SystemEventConverter converter(
-            ModelPair models, PushMonitor wallSwitch, Lamp lamp, ServiceOptions unattended, Clock clock) {
-        SystemEventConverter converter =
-                new SystemEventConverter(LoopConfig.defaults("lamp", clock).withPressAge(unattended.pressAge()));
-        converter.addMonitor(wallSwitch);
-        converter.addExecute(new LampExecute(lamp));
-        converter.addKnowledge(new LampKnowledge(models, lamp));
-        converter.addKnowledgeFactory(other -> new LampKnowledge(other, lamp));
-        return converter;
-    }
-
     public static void main(String[] arguments) {
         try {
             System.exit(run(OPTIONS.read(List.of(arguments), System.getenv())));
@@ -132,7 +119,8 @@ public final class Main {
             return answered.getAsInt();
         }
         ServiceOptions unattended = ServiceOptions.of(settings);
-        Models read = Models.read(file(settings));
+        Path file = file(settings);
+        Models read = Models.read(file);
         ModelPair models = read.pair();
 
         Lamp lamp = new Lamp();
@@ -140,7 +128,7 @@ public final class Main {
         try (Service service = Service.open(unattended);
                 Clock clock = new SystemClock();
                 Wiring wiring = new Wiring(settings)) {
-            SystemEventConverter converter = converter(models, wallSwitch, lamp, unattended, clock);
+            SystemEventConverter converter = LampConverter.of(models, wallSwitch, lamp, unattended, clock);
             wiring.connect(converter, lamp, clock);
             converter.watch((running, at, nanos) ->
                     running.equals(models) ? new TimeWatch(read.rules(), running, at, nanos) : null);

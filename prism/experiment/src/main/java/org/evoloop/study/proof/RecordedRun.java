@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
@@ -19,7 +20,6 @@ import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.converter.UnknownEffectException;
-import org.evoloop.core.Rules;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Step;
 import org.evoloop.function.NewFunction;
@@ -209,7 +209,7 @@ final class RecordedRun {
         ended = false;
         converter = new SystemEventConverter(LoopConfig.defaults("recorded", clock)
                 .withQueueCapacity(evolution.rules().queueCapacity())
-                .withPressAge(Rules.ANY_AGE));
+                .withPressAge(Duration.ofDays(365)));
         controller = new Controller();
         panel = new Panel(names(evolution.own()));
         converter.addMonitor(controller);
@@ -287,13 +287,22 @@ final class RecordedRun {
             Files.createDirectory(journal());
             for (Path file :
                     files.filter(each -> each.toString().endsWith(".journal")).toList()) {
-                Files.copy(file, journal().resolve(file.getFileName()));
+                copy(file, journal().resolve(file.getFileName()));
             }
         } catch (IOException cause) {
             throw new UncheckedIOException(cause);
         }
         converter.close();
         begin();
+    }
+
+    /** Copies a file that may be shortened meanwhile: as it was, or as it is then. */
+    private static void copy(Path from, Path to) throws IOException {
+        long size;
+        do {
+            size = Files.size(from);
+            Files.copy(from, to, StandardCopyOption.REPLACE_EXISTING);
+        } while (Files.size(from) != size || Files.size(to) != size);
     }
 
     /** Until nothing waits, or for long enough. */
