@@ -58,7 +58,7 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
     private void follow(Occurrence.Heard fact) {
         State from = ledger.place.at().original();
         Step own = ledger.rules.table().ownStep(from, fact.event(), fact.holding()::contains);
-        boolean impossible = ledger.rules.table().isImpossible(from, fact.event());
+        boolean impossible = own == null && ledger.rules.table().isImpossible(from, fact.event());
         ledger.happensMeanwhile(fact);
         if (own != null) {
             ledger.place.moveDevice(own.target(), ledger.out);

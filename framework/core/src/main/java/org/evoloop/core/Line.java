@@ -139,6 +139,10 @@ final class Line {
     /** The first of these that may have its turn; null if none may. */
     @Nullable
     Pending first(Predicate<Pending> of) {
+        Pending head = waiting.peek();
+        if (head == null || (!deferred.test(head) && of.test(head))) {
+            return head;
+        }
         for (Pending pending : waiting) {
             if (!deferred.test(pending) && of.test(pending)) {
                 return pending;
@@ -183,6 +187,9 @@ final class Line {
 
     /** Whether other models have taken over, and the device has yet to be sent to where the new model is. */
     boolean holdsTakeover() {
+        if (waiting.isEmpty()) {
+            return false;
+        }
         for (Pending pending : waiting) {
             if (pending.occurrence() instanceof Occurrence.Evolved) {
                 return true;
