@@ -55,7 +55,7 @@ final class Visits implements VisitHost {
     private NewFunction function = NewFunction.none();
     private Map<Event, Long> deadlines = Map.of();
 
-    /** The wall-clock times of the deadlines, so that each stays the same although the two clocks drift. */
+    /** The wall-clock times of the deadlines asked for, so that each stays the same although the two clocks drift. */
     private final Map<Event, Instant> dues = new HashMap<>();
 
     private int retries;
@@ -116,16 +116,17 @@ final class Visits implements VisitHost {
     /** Sets the missing timers. Cancelled ones still fire; the core ignores them. */
     private void set(Map<Event, Long> before, Map<Event, Long> now, HostedVisit visit) {
         deadlines = now;
-        dues.keySet().retainAll(now.keySet());
+        if (!dues.isEmpty()) {
+            dues.keySet().retainAll(now.keySet());
+        }
         if (now.isEmpty()) {
             return;
         }
         long nanos = config.clock().nanoTime();
-        Instant wall = config.clock().wallTime();
         for (Map.Entry<Event, Long> timer : now.entrySet()) {
             if (!timer.getValue().equals(before.get(timer.getKey()))) {
                 Duration left = Duration.ofNanos(Math.max(0, timer.getValue() - nanos));
-                dues.put(timer.getKey(), wall.plus(left));
+                dues.remove(timer.getKey());
                 visit.onClock(left, () -> fire(visit, timer.getKey()));
             }
         }
@@ -207,9 +208,10 @@ final class Visits implements VisitHost {
         long nanos = config.clock().nanoTime();
         List<ConverterStatus.RunningTimer> timers = new ArrayList<>();
         running.forEach((event, deadline) -> {
-            Instant due = dues.get(event);
-            if (due != null) {
+            if (deadlines.containsKey(event)) {
                 Duration remaining = Duration.ofNanos(Math.max(0, deadline - nanos));
+                Instant due = dues.computeIfAbsent(
+                        event, asked -> config.clock().wallTime().plus(remaining));
                 timers.add(new ConverterStatus.RunningTimer(event.name(), remaining, due));
             }
         });
