@@ -111,6 +111,28 @@ public final class StateMachineBuilder {
         return traits(state, known -> known.withDeferred(event));
     }
 
+    /**
+     * Adds a new state in which the device must be in a certain state, see {@link StateMachine#deviceState}.
+     *
+     * @param deviceState the name of a state of the original model, or its path
+     */
+    public StateMachineBuilder deviceState(String state, String deviceState) {
+        // A name that is none is refused as it is for any other state.
+        String device = new State(deviceState).name();
+        StateTraits known = traits.getOrDefault(new State(state), StateTraits.NONE);
+        if (known.device() != null && !known.device().equals(device)) {
+            problems.add(
+                    "state " + state + " has two device states, " + known.device() + " and " + device + "; keep one");
+        }
+        return traits(state, traits -> traits.withDevice(device));
+    }
+
+    /** Adds a state whose function may send {@code event} to the device, see {@link StateMachine#sends}. */
+    public StateMachineBuilder sends(String state, String event) {
+        Event sent = new Event(event);
+        return traits(state, known -> known.withSends(sent));
+    }
+
     private StateMachineBuilder traits(String state, UnaryOperator<StateTraits> change) {
         State owner = new State(state);
         row(owner);
@@ -138,7 +160,13 @@ public final class StateMachineBuilder {
             traits.put(
                     state,
                     new StateTraits(
-                            activities, Set.of(), itself ? null : withoutMemory, inPlace ? List.of() : paths, end));
+                            activities,
+                            Set.of(),
+                            itself ? null : withoutMemory,
+                            inPlace ? List.of() : paths,
+                            end,
+                            null,
+                            Set.of()));
         }
         return this;
     }
