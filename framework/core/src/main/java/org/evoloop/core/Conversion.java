@@ -46,6 +46,10 @@ abstract sealed class Conversion extends Arrivals permits Core {
             return;
         }
         Pending pending = progress.pending();
+        if (!pending.isUrgent() && ledger.line.holdsFacts()) {
+            again(pending, "what the device did by itself is heard first");
+            return;
+        }
         ledger.out.decided(
                 pending, decision, ledger.nowNanos - pending.occurrence().observedNanos());
         if (decision.leavesState()) {
@@ -236,7 +240,10 @@ abstract sealed class Conversion extends Arrivals permits Core {
 
     /** The plan has been overtaken: the occurrence is decided again, before all others. */
     private void again(String why) {
-        Pending next = progress.pending().again();
+        again(progress.pending().again(), why);
+    }
+
+    private void again(Pending next, String why) {
         if (next.attempts() > MOST_ATTEMPTS || (!ledger.open && !next.hasHappened())) {
             conclude(next.number(), Outcome.FAILED, afterBroken(next, "overtaken: " + why));
         } else {

@@ -33,6 +33,7 @@ final class Invariants {
                         invariants.recordIsDevice(),
                         invariants.whatTheDeviceObeyedIsDone(),
                         invariants.oneAfterTheOther(),
+                        invariants.factsAreHeardFirst(),
                         invariants.theDeviceIsAskedFirst(),
                         invariants.sumIsRight(),
                         invariants.visitsEnd(),
@@ -59,7 +60,10 @@ final class Invariants {
                 : "";
     }
 
-    /** First come, first served, but for what is deferred, and only when nothing is in progress. */
+    /**
+     * First come, first served, but for what is deferred, and only when nothing is in progress; what the device did by
+     * itself comes before what is only asked for.
+     */
     private String oneAfterTheOther() {
         for (Output output : said) {
             if (output instanceof Output.Begin begin) {
@@ -69,13 +73,33 @@ final class Invariants {
                 if (isDeferred(begin.pending().occurrence(), before)) {
                     return "order: " + begin + ", which " + before.at() + " defers";
                 }
+                int place = before.waiting().indexOf(begin.pending());
+                if (place < 0) {
+                    continue;
+                }
                 List<Pending> ahead = new ArrayList<>(before.waiting());
                 ahead.retainAll(after.waiting());
                 ahead.removeIf(this::isDeferred);
-                int place = before.waiting().indexOf(begin.pending());
+                if (begin.pending().isUrgent()) {
+                    ahead.removeIf(pending -> !pending.isUrgent());
+                } else if (ahead.stream().anyMatch(Pending::isUrgent)) {
+                    return "order: " + begin + " before the facts of " + ahead;
+                }
                 if (!ahead.isEmpty() && before.waiting().indexOf(ahead.get(0)) < place) {
                     return "order: " + begin + " before " + ahead.get(0);
                 }
+            }
+        }
+        return "";
+    }
+
+    /** The new model has heard of all that the device did by itself when it decides on a request. */
+    private String factsAreHeardFirst() {
+        for (Output output : said) {
+            if (output instanceof Output.Decided decided
+                    && !decided.pending().isUrgent()
+                    && before.waiting().stream().anyMatch(Pending::hasHappened)) {
+                return "unheard: " + decided + " before the facts of " + before.waiting();
             }
         }
         return "";

@@ -170,6 +170,43 @@ enum Mutation {
             return input instanceof Input.Ready ? Snapshots.waiting(before, reversed) : before;
         }
     },
+    FACTS_WAIT_BEHIND_REQUESTS("order", Scene.robot().with(1, Act.PRESS, Act.OWN)) {
+        private List<Pending> behind(Snapshot before, Input input) {
+            List<Pending> waiting = before.waiting();
+            return input instanceof Input.Ready
+                            && !waiting.isEmpty()
+                            && !waiting.get(0).isUrgent()
+                    ? waiting.subList(1, waiting.size())
+                    : List.of();
+        }
+
+        @Override
+        Snapshot ahead(Snapshot before, Input input) {
+            return without(before, behind(before, input));
+        }
+
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return with(after, behind(before, input));
+        }
+    },
+    A_REQUEST_THAT_HAS_BEGUN_IS_DECIDED_BEFORE_FACTS("unheard", Scene.robot().with(1, Act.PRESS, Act.OWN)) {
+        private List<Pending> unheard(Snapshot before, Input input) {
+            return input instanceof Input.Planned
+                    ? before.waiting().stream().filter(Pending::isUrgent).toList()
+                    : List.of();
+        }
+
+        @Override
+        Snapshot ahead(Snapshot before, Input input) {
+            return without(before, unheard(before, input));
+        }
+
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return with(after, unheard(before, input));
+        }
+    },
     A_STEP_IS_ASKED_FOR_TWICE("sent", Scene.bulb().with(1, Act.PRESS)) {
         @Override
         List<Output> unsay(Snapshot before, Input input, List<Output> said) {
@@ -444,6 +481,18 @@ enum Mutation {
                 && observed.occurrence().source() == Source.CONTROLLER
                 && before.open()
                 && before.waiting().size() >= scene.rules().queueCapacity();
+    }
+
+    private static Snapshot without(Snapshot snapshot, List<Pending> hidden) {
+        List<Pending> left = new ArrayList<>(snapshot.waiting());
+        left.removeAll(hidden);
+        return Snapshots.waiting(snapshot, left);
+    }
+
+    private static Snapshot with(Snapshot snapshot, List<Pending> hidden) {
+        List<Pending> all = new ArrayList<>(snapshot.waiting());
+        all.addAll(hidden);
+        return Snapshots.waiting(snapshot, all);
     }
 
     private static Snapshot systemStays(Snapshot before, Snapshot after) {
