@@ -124,7 +124,7 @@ final class Line {
 
     /** Puts one that has begun back, before all others but a question to the device, which has to be asked first. */
     void putBack(Pending pending) {
-        Pending question = holdsDoubt() ? waiting.poll() : null;
+        Pending question = holdsDoubt() ? next() : null;
         addFirst(pending);
         if (question != null) {
             addFirst(question);

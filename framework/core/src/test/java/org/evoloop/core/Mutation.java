@@ -147,13 +147,8 @@ enum Mutation {
     A_STATE_IS_ENTERED_WHILE_OTHER_MODELS_SETTLE(
             "settling", Scene.busyRobot().with(2, Act.PRESS).with(1, Act.EVOLVE, Act.STOP)) {
         @Override
-        Snapshot ahead(Snapshot before, Input input) {
-            return input instanceof Input.Opened ? Snapshots.waiting(before, List.of()) : before;
-        }
-
-        @Override
-        Snapshot undo(Snapshot before, Input input, Snapshot after) {
-            return input instanceof Input.Opened ? Snapshots.waiting(after, before.waiting()) : after;
+        List<Pending> hidden(Snapshot before, Input input) {
+            return input instanceof Input.Opened ? before.waiting() : List.of();
         }
     },
     THE_QUEUE_DOES_NOT_WAIT("order", Scene.bulb().with(2, Act.PRESS)) {
@@ -171,7 +166,8 @@ enum Mutation {
         }
     },
     FACTS_WAIT_BEHIND_REQUESTS("order", Scene.robot().with(1, Act.PRESS, Act.OWN)) {
-        private List<Pending> behind(Snapshot before, Input input) {
+        @Override
+        List<Pending> hidden(Snapshot before, Input input) {
             List<Pending> waiting = before.waiting();
             return input instanceof Input.Ready
                             && !waiting.isEmpty()
@@ -179,32 +175,11 @@ enum Mutation {
                     ? waiting.subList(1, waiting.size())
                     : List.of();
         }
-
-        @Override
-        Snapshot ahead(Snapshot before, Input input) {
-            return without(before, behind(before, input));
-        }
-
-        @Override
-        Snapshot undo(Snapshot before, Input input, Snapshot after) {
-            return with(after, behind(before, input));
-        }
     },
     A_REQUEST_THAT_HAS_BEGUN_IS_DECIDED_BEFORE_FACTS("unheard", Scene.robot().with(1, Act.PRESS, Act.OWN)) {
-        private List<Pending> unheard(Snapshot before, Input input) {
-            return input instanceof Input.Planned
-                    ? before.waiting().stream().filter(Pending::isUrgent).toList()
-                    : List.of();
-        }
-
         @Override
-        Snapshot ahead(Snapshot before, Input input) {
-            return without(before, unheard(before, input));
-        }
-
-        @Override
-        Snapshot undo(Snapshot before, Input input, Snapshot after) {
-            return with(after, unheard(before, input));
+        List<Pending> hidden(Snapshot before, Input input) {
+            return input instanceof Input.Planned ? before.waiting() : List.of();
         }
     },
     A_STEP_IS_ASKED_FOR_TWICE("sent", Scene.bulb().with(1, Act.PRESS)) {
@@ -447,14 +422,22 @@ enum Mutation {
                 Occurrence lost = ((Input.Observed) input).occurrence();
                 return new Wiring.Result(List.of(new Output.Dropped(lost, true)), Snapshots.lost(before));
             }
-            Wiring.Result real = Wiring.REAL.apply(rules(rules), ahead(before, input), input);
-            return new Wiring.Result(unsay(before, input, real.said()), undo(before, input, real.after()));
+            List<Pending> hidden = hidden(before, input);
+            Snapshot ahead = Snapshots.without(ahead(before, input), hidden);
+            Wiring.Result real = Wiring.REAL.apply(rules(rules), ahead, input);
+            Snapshot after = Snapshots.with(real.after(), hidden);
+            return new Wiring.Result(unsay(before, input, real.said()), undo(before, input, after));
         };
     }
 
     /** Whether an occurrence is lost that the core would take. */
     boolean isLost(Snapshot before, Input input) {
         return false;
+    }
+
+    /** What waits unnoticed while the core takes an input. */
+    List<Pending> hidden(Snapshot before, Input input) {
+        return List.of();
     }
 
     /** The rules by which the core works. */
@@ -481,18 +464,6 @@ enum Mutation {
                 && observed.occurrence().source() == Source.CONTROLLER
                 && before.open()
                 && before.waiting().size() >= scene.rules().queueCapacity();
-    }
-
-    private static Snapshot without(Snapshot snapshot, List<Pending> hidden) {
-        List<Pending> left = new ArrayList<>(snapshot.waiting());
-        left.removeAll(hidden);
-        return Snapshots.waiting(snapshot, left);
-    }
-
-    private static Snapshot with(Snapshot snapshot, List<Pending> hidden) {
-        List<Pending> all = new ArrayList<>(snapshot.waiting());
-        all.addAll(hidden);
-        return Snapshots.waiting(snapshot, all);
     }
 
     private static Snapshot systemStays(Snapshot before, Snapshot after) {
