@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
@@ -46,7 +47,12 @@ final class Invariants {
                         invariants.controllersHaveTheirPlaces(),
                         invariants.theSystemFollowsTheDevice(),
                         invariants.functionsRun(),
-                        invariants.noFunctionRunsWhileOtherModelsSettle())
+                        invariants.noFunctionRunsWhileOtherModelsSettle(),
+                        invariants.theDeviceIsWhereItIsNeeded(),
+                        invariants.functionsStartWhereTheDeviceIsNeeded(),
+                        invariants.nothingIsDecidedWithTheDeviceElsewhere(),
+                        invariants.plansReachTheDeviceState(),
+                        invariants.anInterruptedPlanEndsWhereItLed())
                 .stream()
                 .filter(problem -> !problem.isEmpty())
                 .findFirst()
@@ -204,7 +210,7 @@ final class Invariants {
         if (work != null && work.decision() != null && !work.sending() && !isToGoOn && world.asked == null) {
             return "stuck: nobody has to do anything for " + work;
         }
-        boolean drained = after.waiting().isEmpty() && work == null;
+        boolean drained = after.waiting().isEmpty() && work == null && !after.followOwed();
         if (after.open() && drained && after.visit().over()) {
             return "stuck: visit " + after.visit().number() + " is over and no other has begun";
         }
@@ -342,10 +348,79 @@ final class Invariants {
     private String functionsRun() {
         boolean quiet = after.open() && after.work() == null && !after.visit().over();
         return quiet
+                        && !after.followOwed()
+                        && !after.visit().startOwed()
                         && world.rules().table().isNew(after.at().evolved())
                         && world.functionOf != after.visit().number()
                 ? "function: that of " + after.at().evolved() + " does not run in " + after.visit()
                 : "";
+    }
+
+    /** Whatever has failed, and whatever the device did: in the end it is where the new model's state needs it. */
+    private String theDeviceIsWhereItIsNeeded() {
+        boolean quiet = after.open() && after.work() == null && after.waiting().isEmpty() && !after.followOwed();
+        return quiet && !isInDoubt(after) && !isWhereNeeded(after.at())
+                ? "needed: nothing brings the new model from " + after.at()
+                : "";
+    }
+
+    private boolean isWhereNeeded(Configuration at) {
+        return world.rules().table().isWhereNeeded(at);
+    }
+
+    /** The function of a state that needs the device starts only where that is certain, and nothing else is to be heard. */
+    private String functionsStartWhereTheDeviceIsNeeded() {
+        boolean needs = world.rules().table().needsDevice(after.at().evolved());
+        boolean certain = isWhereNeeded(after.at())
+                && !isInDoubt(after)
+                && after.waiting().stream().noneMatch(Pending::hasHappened);
+        return needs && !certain && said.stream().anyMatch(Output.Start.class::isInstance)
+                ? "start: a function in " + after
+                : "";
+    }
+
+    private String nothingIsDecidedWithTheDeviceElsewhere() {
+        for (Output output : said) {
+            if (output instanceof Output.Decided decided
+                    && !decided.pending().isUrgent()
+                    && !isWhereNeeded(before.at())) {
+                return "elsewhere: " + decided + " with the device where it is not needed";
+            }
+        }
+        return "";
+    }
+
+    /** What a function sends does not take the device out of the state's device state, either. */
+    private String plansReachTheDeviceState() {
+        for (Output output : said) {
+            if (output instanceof Output.Decided decided
+                    && decided.pending().own() == null
+                    && (decided.decision() instanceof Decision.NewState
+                            || decided.decision() instanceof Decision.Sending)
+                    && !(decided.pending().occurrence() instanceof Occurrence.Evolved)
+                    && !isWhereNeeded(decided.decision().after())) {
+                return "reached: " + decided;
+            }
+        }
+        return "";
+    }
+
+    /** A step whose effect was unknown has taken the device to where its plan leads: then the transition is taken. */
+    private String anInterruptedPlanEndsWhereItLed() {
+        Doubt doubt = before.doubt();
+        Decision interrupted = doubt == null || doubt.settled() ? null : doubt.interrupted();
+        if (interrupted == null
+                || !(input instanceof Input.Located)
+                || isInDoubt(after)
+                || !before.at().evolved().equals(interrupted.before().evolved())
+                || !isWhereNeeded(interrupted.after().withOriginal(after.at().original()))) {
+            return "";
+        }
+        Work work = after.work();
+        boolean goesOn = work != null && work.decision() instanceof Decision.NewState;
+        return goesOn || after.at().evolved().equals(interrupted.after().evolved())
+                ? ""
+                : "interrupted: " + interrupted + " ends in " + after.at();
     }
 
     /** No function runs while the device may be sent to where the new model is; a closed converter sends nothing. */

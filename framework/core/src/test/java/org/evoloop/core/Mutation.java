@@ -397,6 +397,13 @@ enum Mutation {
             return input instanceof Input.Observed ? Snapshots.sure(after) : after;
         }
     },
+    A_DEVICE_ELSEWHERE_IS_NOT_FOLLOWED(
+            "stuck", DeviceStateScenes.air().with(2, Act.PRESS).with(1, Act.FAIL)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return Snapshots.followOwed(after, before.followOwed());
+        }
+    },
     WHAT_ENDS_IS_NOT_COUNTED("sum", Scene.bulb().with(1, Act.PRESS)) {
         @Override
         Snapshot undo(Snapshot before, Input input, Snapshot after) {
