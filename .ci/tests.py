@@ -95,7 +95,8 @@ def run(module: Path, options: list[str]) -> tuple[Path, bool, float]:
                 *(f"-Dmaven.repo.local={REPOSITORY.absolute()}", f"-Dmaven.repo.local.tail={Path.home() / '.m2' / 'repository'}"),
                 # Several Mavens may fetch the same files.
                 *("-Daether.syncContext.named.factory=file-lock", "-Daether.syncContext.named.nameMapper=file-gav"),
-                *(*options, "verify"),
+                # What is built is not compiled again for being taken from elsewhere.
+                *("-Dmaven.compiler.useIncrementalCompilation=false", *options, "verify"),
             ],
             stdin=subprocess.DEVNULL,
             stdout=log,
