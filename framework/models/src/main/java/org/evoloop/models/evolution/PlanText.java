@@ -69,7 +69,8 @@ public final class PlanText {
             case NOTHING ->
                 "nothing to send, the device is in " + line.transition().target();
             case NEW_FUNCTION ->
-                (line.transition().internal() ? "stays in new function " : "new function ")
+                (line.sent().isEmpty() ? "" : "path " + sent + way(line) + ", then ")
+                        + (line.transition().internal() ? "stays in new function " : "new function ")
                         + line.transition().target();
             case IMPOSSIBLE -> "IMPOSSIBLE: " + line.reason();
         };
