@@ -69,8 +69,7 @@ public final class PlanText {
             case NOTHING ->
                 "nothing to send, the device is in " + line.transition().target();
             case NEW_FUNCTION ->
-                (line.sent().isEmpty() ? "" : "path " + sent + way(line) + ", then ")
-                        + (line.transition().internal() ? "stays in new function " : "new function ")
+                (line.transition().internal() ? "stays in new function " : "new function ")
                         + line.transition().target();
             case IMPOSSIBLE -> "IMPOSSIBLE: " + line.reason();
         };
