@@ -139,6 +139,9 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
             if (device == null) {
                 continue;
             }
+            if (!isNew(state) && evolved.inheritsDeviceState(state)) {
+                continue;
+            }
             if (!isNew(state)) {
                 problems.add("the device has state " + state + " itself, so it can have no other device state; remove "
                         + Names.shown(device));

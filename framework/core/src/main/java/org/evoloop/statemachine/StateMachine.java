@@ -145,7 +145,9 @@ public final class StateMachine {
             deferred(state).forEach(event -> builder.defers(same.name(), event));
             sends(state).forEach(event -> builder.sends(same.name(), event.name()));
             String device = deviceState(state);
-            if (device != null) {
+            if (device != null && inheritsDeviceState(state)) {
+                builder.inheritedDeviceState(same.name(), device);
+            } else if (device != null) {
                 builder.deviceState(same.name(), device);
             }
         }
@@ -234,6 +236,14 @@ public final class StateMachine {
      */
     public @Nullable String deviceState(State state) {
         return traitsOf(state).device();
+    }
+
+    /**
+     * Whether the {@linkplain #deviceState device state} is that of a drawn state around {@code state}. It then means
+     * nothing in a state that the device has itself, whose own device state would be an error.
+     */
+    public boolean inheritsDeviceState(State state) {
+        return traitsOf(state).inherited();
     }
 
     /** The events that the function of {@code state} may send to the device, in order. */

@@ -127,6 +127,14 @@ public final class StateMachineBuilder {
         return traits(state, traits -> traits.withDevice(device));
     }
 
+    /**
+     * The same for a state that only stands inside the drawn state with the device state, so that it may be one of the
+     * device, see {@link StateMachine#inheritsDeviceState}.
+     */
+    public StateMachineBuilder inheritedDeviceState(String state, String deviceState) {
+        return deviceState(state, deviceState).traits(state, StateTraits::withInherited);
+    }
+
     /** Adds a state whose function may send {@code event} to the device, see {@link StateMachine#sends}. */
     public StateMachineBuilder sends(String state, String event) {
         Event sent = new Event(event);
@@ -166,6 +174,7 @@ public final class StateMachineBuilder {
                             inPlace ? List.of() : paths,
                             end,
                             null,
+                            false,
                             Set.of()));
         }
         return this;
