@@ -143,13 +143,7 @@ public final class StateMachine {
             }
             builder.drawn(same, renamed.apply(withoutMemory(state)), activities(state), paths(state), isEnd(state));
             deferred(state).forEach(event -> builder.defers(same.name(), event));
-            sends(state).forEach(event -> builder.sends(same.name(), event.name()));
-            String device = deviceState(state);
-            if (device != null && inheritsDeviceState(state)) {
-                builder.inheritedDeviceState(same.name(), device);
-            } else if (device != null) {
-                builder.deviceState(same.name(), device);
-            }
+            builder.device(same.name(), this, state);
         }
         builder.initial(renamed.apply(initial).name()).initialEffects(initialEffects);
         events.forEach(builder::event);

@@ -135,6 +135,16 @@ public final class StateMachineBuilder {
         return deviceState(state, deviceState).traits(state, StateTraits::withInherited);
     }
 
+    /** Adds a state with the device state and the sends of a state of another machine. */
+    public StateMachineBuilder device(String state, StateMachine other, State same) {
+        other.sends(same).forEach(event -> sends(state, event.name()));
+        String device = other.deviceState(same);
+        if (device == null) {
+            return this;
+        }
+        return other.inheritsDeviceState(same) ? inheritedDeviceState(state, device) : deviceState(state, device);
+    }
+
     /** Adds a state whose function may send {@code event} to the device, see {@link StateMachine#sends}. */
     public StateMachineBuilder sends(String state, String event) {
         Event sent = new Event(event);

@@ -8,6 +8,9 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -68,6 +71,13 @@ public record DeviceUse(String device, List<String> sends) {
      */
     public static @Nullable Problem misspelt(Place place, String what, String text) {
         return Keywords.misspelt(place, what, text);
+    }
+
+    /** The same of a state of a flat machine. */
+    public static DeviceUse of(StateMachine machine, State state) {
+        String device = machine.deviceState(state);
+        List<String> sends = machine.sends(state).stream().map(Event::name).toList();
+        return device == null && sends.isEmpty() ? NONE : new DeviceUse(device == null ? "" : device, sends);
     }
 
     /** What the keywords beside a state's name say. */
