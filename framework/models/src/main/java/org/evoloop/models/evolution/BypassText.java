@@ -28,7 +28,9 @@ public final class BypassText {
 
     private static String what(Line line) {
         return switch (line.kind()) {
-            case SAME -> "the same: the device goes to " + line.device();
+            case SAME ->
+                "the same: the device goes to " + line.device()
+                        + (line.decision() instanceof Decision.NewState ? rest(line) : "");
             case OTHER -> "something else: the device goes to " + line.device() + rest(line);
             case IGNORED -> "ignored by the device in " + line.device() + rest(line);
             case UNKNOWN -> "unknown to the device, which stays in " + line.device() + rest(line);
