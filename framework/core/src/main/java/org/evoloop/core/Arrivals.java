@@ -263,7 +263,10 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
         String outOfDate = outOfDate(pending);
         if (!outOfDate.isEmpty()) {
             Outcome outcome = occurrence instanceof Occurrence.InDoubt ? Outcome.HANDLED : Outcome.STALE;
+            long visit = ledger.stay.number();
             ledger.ended(occurrence, ledger.place.at(), outcome, null, outOfDate);
+            // It may be what the end of the present visit has waited for.
+            ledger.start(visit, ledger.enterAgain(occurrence));
             return;
         }
         if (occurrence instanceof Occurrence.Heard heard && heard.source() == Source.TIMER) {
