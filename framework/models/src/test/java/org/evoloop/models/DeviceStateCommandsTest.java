@@ -88,6 +88,78 @@ class DeviceStateCommandsTest {
     }
 
     @Test
+    void checkProvesWhatTheDeviceStatePromises() throws IOException {
+        Path properties = directory.resolve("air.txt");
+        Files.writeString(properties, """
+                Half-way open: always Airing implies device HalfUp
+                On its way: always ToAir implies device Rising
+                It can be closed: always can device Down
+                """);
+        String quiet = evolved("quiet", "ev:device=\"HalfUp\"");
+        assertThat(good("check", original, quiet, "--properties", properties.toString()))
+                .startsWith(
+                        "note: timer-or-device: in ToAir, after 2 s leads to Airing, but top, which the device raises"
+                                + " in Rising by itself, leads to Up")
+                .endsWith("1 finding\n");
+
+        Files.writeString(properties, "Shut: always Airing implies device Down\n");
+        Tool shut = Tool.run("check", original, quiet, "--properties", properties.toString());
+        assertThat(shut.status()).isEqualTo(1);
+        assertThat(shut.out())
+                .contains("error: property: 'Shut'")
+                .contains("way:  (Down, Down) --air--> (Rising, ToAir) --after 2 s--> (HalfUp, Airing)\n");
+    }
+
+    @Test
+    void checkRefusesWhatCannotBe() throws IOException {
+        assertThat(Tool.run("check", original, evolved("misspelt", "ev:device=\"HalfUpp\""))
+                        .out())
+                .startsWith("error: device-state: the device state of Airing, HalfUpp, is not a state of the original"
+                        + " model\n")
+                .contains("did you mean HalfUp?");
+        assertThat(Tool.run("check", original, evolved).out())
+                .contains("error: declared-send: the function of Airing sends tap, which takes the device out of its"
+                        + " device state to Falling");
+        String nowhere = write(
+                "nowhere",
+                "<transition event=\"air\" target=\"Airing\"/>",
+                "<state id=\"Airing\" ev:device=\"Up\"><transition event=\"tap\" target=\"Falling\"/></state>");
+        assertThat(Tool.run("check", original, nowhere).out())
+                .startsWith("error: no-path: in (Down, Down) event air leads to Airing, where the device must be in Up")
+                .contains("fix:  draw a new state with device state Rising and a transition on top\n");
+    }
+
+    @Test
+    void planShowsThePathToADeviceState() {
+        assertThat(good("plan", original, evolved))
+                .contains(
+                        "Down --air--> ToAir:  path tap (Down --tap--> Rising), new function ToAir, the device in Rising\n")
+                .contains(
+                        "ToAir --after 2 s--> Airing:  path tap (Rising --tap--> HalfUp), new function Airing, the device"
+                                + " in HalfUp\n");
+        assertThat(good("plan", original, evolved, "--format", "json")).contains("\"function\" : \"Airing\"");
+        assertThat(good("plan", original, evolved, "--bypass"))
+                .contains(
+                        "(Rising, ToAir)  the function of ToAir does not run, no timer runs for after 2 s: the device"
+                                + " stays in Rising until top\n")
+                .contains("(HalfUp, Airing)  the function of Airing does not run: the device stays in HalfUp\n");
+    }
+
+    /** The example in the documentation. */
+    @Test
+    void theAirConditionerBoosts() {
+        Path folder = Path.of(System.getProperty("evoloop.root"), "models", "air-conditioner");
+        String before = folder.resolve("original.scxml").toString();
+        String after = folder.resolve("new.scxml").toString();
+
+        assertThat(good("check", before, after)).isEqualTo("nothing found\n");
+        assertThat(good("plan", before, after))
+                .contains(
+                        "(Dry, Dry)  Dry --boost--> Boost [history Dry]:  path turbo (Dry --turbo--> Turbo), new function"
+                                + " Boost [history Dry], the device in Turbo\n");
+    }
+
+    @Test
     void flattenKeepsThem() throws IOException {
         assertThat(good("flatten", evolved))
                 .contains("ToAir has the device in Rising\nAiring has the device in HalfUp\nAiring may send tap\n");

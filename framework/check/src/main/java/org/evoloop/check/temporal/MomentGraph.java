@@ -66,9 +66,7 @@ public final class MomentGraph {
 
     /** What no function sends. */
     private static List<Turn> unsent(List<Turn> turns) {
-        return turns.stream()
-                .filter(turn -> !(turn.decision() instanceof Decision.Sending))
-                .toList();
+        return turns.stream().filter(turn -> !turn.isSent()).toList();
     }
 
     private MomentGraph(Moment initial, Function<Configuration, List<Turn>> turns, int most) {

@@ -75,7 +75,7 @@ public final class BypassText {
                 .map(Event::toString)
                 .distinct()
                 .collect(Collectors.joining(" or "));
-        return own.isEmpty() ? "stays in " + original : "is in " + original + " until " + own;
+        return "stays in " + original + (own.isEmpty() ? "" : " until " + own);
     }
 
     private static long count(Bypass bypass, Kind kind) {
