@@ -1,8 +1,11 @@
 package org.evoloop.evolution;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.Names;
@@ -80,9 +83,10 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
                     + "' are not an evolution: " + String.join("; ", problems)
                     + ". The new model must keep every state and event of the device; names are case-sensitive");
         }
-        List<String> deviceStates = deviceStateProblems();
+        List<DeviceStateProblem> deviceStates = deviceStateProblems();
         if (!deviceStates.isEmpty()) {
-            throw new ModelException("the new model '" + evolved.name() + "': " + String.join("; ", deviceStates));
+            throw new ModelException("the new model '" + evolved.name() + "': "
+                    + deviceStates.stream().map(DeviceStateProblem::toString).collect(Collectors.joining("; ")));
         }
     }
 
@@ -131,20 +135,45 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
                 : same;
     }
 
-    /** What is wrong with the device states of the new model, for people; empty if nothing is. */
-    public List<String> deviceStateProblems() {
-        List<String> problems = new ArrayList<>();
+    /**
+     * A device state that cannot be.
+     *
+     * @param state the state of the new model
+     * @param message what is wrong
+     * @param remedy how to fix it
+     */
+    public record DeviceStateProblem(State state, String message, String remedy) {
+        /** For messages: both. */
+        @Override
+        public String toString() {
+            return message + "; " + remedy;
+        }
+    }
+
+    /**
+     * What is wrong with the device states of the new model; empty if nothing is. One that several states share, such as
+     * those of a composite state, is reported for the first of them.
+     */
+    public List<DeviceStateProblem> deviceStateProblems() {
+        List<DeviceStateProblem> problems = new ArrayList<>();
+        Set<Object> reported = new HashSet<>();
         for (State state : evolved.states()) {
             String device = evolved.deviceState(state);
             if (device == null) {
                 continue;
             }
-            if (!isNew(state)) {
-                problems.add("the device has state " + state + " itself, so it can have no other device state; remove "
-                        + Names.shown(device));
-            } else if (named(device).isEmpty()) {
-                problems.add("the device state of " + state + ", " + Names.shown(device)
-                        + ", is not a state of the original model" + Names.hint(device, original.states()));
+            State plain = evolved.withoutMemory(state);
+            if (isNew(state) && named(device).isEmpty() && reported.add(device)) {
+                problems.add(new DeviceStateProblem(
+                        state,
+                        "the device state of " + plain + ", " + Names.shown(device)
+                                + ", is not a state of the original model",
+                        Names.hint(device, original.states()).substring(2)));
+            } else if (!isNew(state) && !evolved.inheritsDeviceState(state) && reported.add(plain)) {
+                problems.add(new DeviceStateProblem(
+                        state,
+                        "the device has state " + plain + " itself, so it can have no other device state",
+                        "remove " + Names.shown(device)));
             }
         }
         return problems;

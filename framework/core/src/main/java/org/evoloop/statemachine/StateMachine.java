@@ -143,11 +143,7 @@ public final class StateMachine {
             }
             builder.drawn(same, renamed.apply(withoutMemory(state)), activities(state), paths(state), isEnd(state));
             deferred(state).forEach(event -> builder.defers(same.name(), event));
-            sends(state).forEach(event -> builder.sends(same.name(), event.name()));
-            String device = deviceState(state);
-            if (device != null) {
-                builder.deviceState(same.name(), device);
-            }
+            builder.device(same.name(), this, state);
         }
         builder.initial(renamed.apply(initial).name()).initialEffects(initialEffects);
         events.forEach(builder::event);
@@ -234,6 +230,14 @@ public final class StateMachine {
      */
     public @Nullable String deviceState(State state) {
         return traitsOf(state).device();
+    }
+
+    /**
+     * Whether the {@linkplain #deviceState device state} is that of a drawn state around {@code state}. It then means
+     * nothing in a state that the device has itself, whose own device state would be an error.
+     */
+    public boolean inheritsDeviceState(State state) {
+        return traitsOf(state).inherited();
     }
 
     /** The events that the function of {@code state} may send to the device, in order. */

@@ -127,6 +127,24 @@ public final class StateMachineBuilder {
         return traits(state, traits -> traits.withDevice(device));
     }
 
+    /**
+     * The same for a state that only stands inside the drawn state with the device state, so that it may be one of the
+     * device, see {@link StateMachine#inheritsDeviceState}.
+     */
+    public StateMachineBuilder inheritedDeviceState(String state, String deviceState) {
+        return deviceState(state, deviceState).traits(state, StateTraits::withInherited);
+    }
+
+    /** Adds a state with the device state and the sends of a state of another machine. */
+    public StateMachineBuilder device(String state, StateMachine other, State same) {
+        other.sends(same).forEach(event -> sends(state, event.name()));
+        String device = other.deviceState(same);
+        if (device == null) {
+            return this;
+        }
+        return other.inheritsDeviceState(same) ? inheritedDeviceState(state, device) : deviceState(state, device);
+    }
+
     /** Adds a state whose function may send {@code event} to the device, see {@link StateMachine#sends}. */
     public StateMachineBuilder sends(String state, String event) {
         Event sent = new Event(event);
@@ -166,6 +184,7 @@ public final class StateMachineBuilder {
                             inPlace ? List.of() : paths,
                             end,
                             null,
+                            false,
                             Set.of()));
         }
         return this;

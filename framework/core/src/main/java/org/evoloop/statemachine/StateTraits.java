@@ -15,6 +15,7 @@ import org.jspecify.annotations.Nullable;
  * @param paths see {@link StateMachine#paths}; empty for the state's name
  * @param end see {@link StateMachine#isEnd}
  * @param device see {@link StateMachine#deviceState}; null for none
+ * @param inherited see {@link StateMachine#inheritsDeviceState}
  * @param sends see {@link StateMachine#sends}
  */
 record StateTraits(
@@ -24,8 +25,9 @@ record StateTraits(
         List<String> paths,
         boolean end,
         @Nullable String device,
+        boolean inherited,
         Set<Event> sends) {
-    static final StateTraits NONE = new StateTraits(List.of(), Set.of(), null, List.of(), false, null, Set.of());
+    static final StateTraits NONE = new StateTraits(List.of(), Set.of(), null, List.of(), false, null, false, Set.of());
 
     StateTraits {
         activities = List.copyOf(activities);
@@ -35,19 +37,23 @@ record StateTraits(
     }
 
     StateTraits withActivities(List<String> names) {
-        return new StateTraits(names, deferred, withoutMemory, paths, end, device, sends);
+        return new StateTraits(names, deferred, withoutMemory, paths, end, device, inherited, sends);
     }
 
     StateTraits withDeferred(Event event) {
-        return new StateTraits(activities, with(deferred, event), withoutMemory, paths, end, device, sends);
+        return new StateTraits(activities, with(deferred, event), withoutMemory, paths, end, device, inherited, sends);
     }
 
     StateTraits withDevice(String state) {
-        return new StateTraits(activities, deferred, withoutMemory, paths, end, state, sends);
+        return new StateTraits(activities, deferred, withoutMemory, paths, end, state, inherited, sends);
+    }
+
+    StateTraits withInherited() {
+        return new StateTraits(activities, deferred, withoutMemory, paths, end, device, true, sends);
     }
 
     StateTraits withSends(Event event) {
-        return new StateTraits(activities, deferred, withoutMemory, paths, end, device, with(sends, event));
+        return new StateTraits(activities, deferred, withoutMemory, paths, end, device, inherited, with(sends, event));
     }
 
     private static Set<Event> with(Set<Event> some, Event event) {

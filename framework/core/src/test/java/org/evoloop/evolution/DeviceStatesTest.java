@@ -66,6 +66,7 @@ class DeviceStatesTest {
         StateMachine evolved = door().deviceState("Open", "StopUp").build();
 
         assertThat(new ModelPair(door().build(), evolved).deviceStateProblems())
+                .extracting(Object::toString)
                 .containsExactly(
                         "the device has state Open itself, so it can have no other device state; remove StopUp");
     }

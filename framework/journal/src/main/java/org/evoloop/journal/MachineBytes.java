@@ -17,6 +17,7 @@ final class MachineBytes {
 
     private static final int DEVICE = 2;
     private static final int SENDS = 4;
+    private static final int INHERITED = 8;
 
     private MachineBytes() {}
 
@@ -30,8 +31,10 @@ final class MachineBytes {
             bytes.names(machine.paths(state));
             String device = machine.deviceState(state);
             List<String> sends = machine.sends(state).stream().map(Event::name).toList();
-            bytes.octet(
-                    (machine.isEnd(state) ? END : 0) | (device == null ? 0 : DEVICE) | (sends.isEmpty() ? 0 : SENDS));
+            bytes.octet((machine.isEnd(state) ? END : 0)
+                    | (device == null ? 0 : DEVICE)
+                    | (machine.inheritsDeviceState(state) ? INHERITED : 0)
+                    | (sends.isEmpty() ? 0 : SENDS));
             if (device != null) {
                 bytes.name(device);
             }
@@ -69,7 +72,9 @@ final class MachineBytes {
             List<String> paths = cursor.names();
             int traits = cursor.octet();
             builder.drawn(state, withoutMemory, activities, paths, (traits & END) != 0);
-            if ((traits & DEVICE) != 0) {
+            if ((traits & DEVICE) != 0 && (traits & INHERITED) != 0) {
+                builder.inheritedDeviceState(state.name(), cursor.name());
+            } else if ((traits & DEVICE) != 0) {
                 builder.deviceState(state.name(), cursor.name());
             }
             if ((traits & SENDS) != 0) {

@@ -163,6 +163,9 @@ class JournalFilesTest {
                 .initialEffects(List.of("begin"))
                 .spontaneous("burnOut")
                 .defers("End", new Event("switch"))
+                .deviceState("End", "Lamp.Off")
+                .sends("End", "switch")
+                .inheritedDeviceState("Off [history Dim]", "Off")
                 .transition(
                         new Transition(
                                 new State("Off [history Dim]"),
@@ -189,6 +192,9 @@ class JournalFilesTest {
             assertThat(back.activities(state)).isEqualTo(machine.activities(state));
             assertThat(back.paths(state)).isEqualTo(machine.paths(state));
             assertThat(back.isEnd(state)).isEqualTo(machine.isEnd(state));
+            assertThat(back.deviceState(state)).isEqualTo(machine.deviceState(state));
+            assertThat(back.inheritsDeviceState(state)).isEqualTo(machine.inheritsDeviceState(state));
+            assertThat(back.sends(state)).isEqualTo(machine.sends(state));
         }
         assertThat(back.initialEffects()).isEqualTo(machine.initialEffects());
     }

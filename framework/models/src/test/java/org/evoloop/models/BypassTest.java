@@ -58,7 +58,7 @@ class BypassTest {
                         "(Off, QuietHours)  Spot:  ignored by the device in Off; the converter would send nothing and be"
                                 + " in (Off, Move); found again as (Off, QuietHours)\n")
                 .contains("(Charged, SpotWait)  the function of SpotWait does not run, no timer runs for tm(5s): the"
-                        + " device stays in Charged\n");
+                        + " device stays in Charged until charging or undocked or asleep\n");
     }
 
     @Test

@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.evoloop.statechart.DeviceUse;
 import org.evoloop.statechart.Spontaneous;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.Names;
@@ -38,6 +39,7 @@ public final class AstahWriter {
      * <ul>
      *   <li>timers and activities that continue across a transition, since flat states have no enclosing state
      *   <li>several guards of an internal transition, which become one text
+     *   <li>that a device state is the one of an enclosing state
      *   <li>states that differ only in what the machine remembers
      *   <li>an event that is deferred under a guard
      *   <li>line breaks, which Astah's files have only where a name is too long for one line
@@ -58,6 +60,11 @@ public final class AstahWriter {
             machine.deferred(state).stream()
                     .filter(event -> !event.guards().isEmpty())
                     .forEach(event -> losses.add(state + " defers " + event + ", which a flat drawing swallows"));
+            if (machine.inheritsDeviceState(state)) {
+                losses.add(state + " has the device state " + machine.deviceState(state)
+                        + " of a state around it, which becomes its own; remove it there if the device has "
+                        + state + ", too");
+            }
             if (!machine.withoutMemory(state).equals(state)) {
                 losses.add(state + " is the state " + machine.withoutMemory(state)
                         + " with something remembered; a flat drawing makes it a state of its own");
@@ -111,7 +118,7 @@ public final class AstahWriter {
     }
 
     private void state(State state) {
-        xml.open("CompositeState", id(state), state.name());
+        xml.open("CompositeState", id(state), DeviceUse.of(machine, state).mark(state.name()));
         xml.actions("State.doActivity", id(state) + "-do", machine.activities(state));
         xml.deferrable(id(state) + "-later", plainlyDeferred(state));
         for (int number = 0; number < transitions.size(); number++) {

@@ -215,6 +215,7 @@ public final class Scaffold {
                 values.put("className", name);
                 values.put("stateComment", JavaText.comment(state.name()));
                 values.put("leftBy", JavaText.comment(leftBy(state)));
+                values.put("device", device(state));
                 values.put("say", JavaText.literal(state.name()));
                 values.put("ending", ending(state));
                 file(sources + name + ".java", "Function.java.txt");
@@ -223,6 +224,19 @@ public final class Scaffold {
             }
         }
         return registrations.toString();
+    }
+
+    /** What the model says about the device while the function runs, as Javadoc; empty if it says nothing. */
+    private String device(State state) {
+        String where = pair.whereDeviceMustBe(state).stream()
+                .map(State::name)
+                .map(JavaText::comment)
+                .collect(Collectors.joining(" or "));
+        String sent = pair.evolved().sends(state).stream()
+                .map(event -> JavaText.comment(event.name()))
+                .collect(Collectors.joining(", "));
+        return (where.isEmpty() ? "" : " The device is in " + where + " when it starts, without anything to send here.")
+                + (sent.isEmpty() ? "" : " It may send " + sent + ".");
     }
 
     private String leftBy(State state) {

@@ -185,7 +185,8 @@ final class ScxmlChartReader {
                 arcs.internal(vertex),
                 List.of(),
                 regions,
-                List.of());
+                List.of(),
+                ScxmlOwn.use(vertex.node()));
     }
 
     private static List<String> invoked(ScxmlVertex vertex) {
