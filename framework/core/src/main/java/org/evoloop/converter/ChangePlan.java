@@ -73,9 +73,8 @@ public record ChangePlan(Occurrence occurrence, Decision decision) {
             throw new IllegalStateException("the plan leads the device from " + begin.original() + " to "
                     + end.original() + ", but its steps " + steps() + " lead to " + reached);
         }
-        if (taken != null
-                && !models.isNew(entered)
-                && !models.deviceStates(entered).contains(reached)) {
+        List<State> needed = taken == null ? List.of() : models.whereDeviceMustBe(entered);
+        if (!needed.isEmpty() && !needed.contains(reached)) {
             throw new IllegalStateException(
                     "the plan leads the new model to " + entered + " and leaves the device in " + reached);
         }

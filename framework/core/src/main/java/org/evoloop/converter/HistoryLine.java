@@ -79,15 +79,21 @@ final class HistoryLine {
             return impossible.reason();
         }
         if (decision instanceof Decision.Resynchronization) {
-            return "the device was found in " + decision.after().original();
+            return decision.deviceBegan()
+                    ? "the device has left for " + decision.after().original()
+                    : "the device was found in " + decision.after().original();
         }
-        if (decision instanceof Decision.NewState && decision.leavesState()) {
-            return "new function of " + decision.after().evolved();
-        }
+        boolean entersNew = decision instanceof Decision.NewState && decision.leavesState();
         List<String> steps = new ArrayList<>();
         for (Step step : decision.steps()) {
-            steps.add(step.trigger() + (step.byDevice() ? " (by the device)" : ""));
+            if (!entersNew || !step.byDevice()) {
+                steps.add(step.trigger() + (step.byDevice() ? " (by the device)" : ""));
+            }
         }
-        return String.join(", ", steps);
+        String sent = String.join(", ", steps);
+        return entersNew
+                ? (sent.isEmpty() ? "" : sent + "; ") + "new function of "
+                        + decision.after().evolved()
+                : sent;
     }
 }

@@ -39,7 +39,9 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public class StateKnowledge extends Knowledge {
-    private final ModelPair pair;
+    /** With the device states and sends that {@link #registerNewFunctions} adds. */
+    private ModelPair pair;
+
     private final Map<State, NewFunction> functions = new HashMap<>();
     private final Map<State, Map<Event, Duration>> timers = new HashMap<>();
 
@@ -52,6 +54,9 @@ public class StateKnowledge extends Knowledge {
 
     /** Names registered more than once, a line each. */
     private final Set<String> repeated = new LinkedHashSet<>();
+
+    /** States of a use of the device that the new model does not have, a line each. */
+    private final Set<String> misnamed = new LinkedHashSet<>();
 
     private boolean registered;
     private volatile @Nullable Supplier<Configuration> place;
@@ -80,6 +85,7 @@ public class StateKnowledge extends Knowledge {
     final void register() {
         if (!registered) {
             registerNewFunctions();
+            pair.requireValid();
             registered = true;
         }
     }
@@ -106,6 +112,44 @@ public class StateKnowledge extends Knowledge {
         State state = new State(name);
         List<State> all = pair.evolved().alike(state);
         return all.isEmpty() || !pair.evolved().withoutMemory(state).equals(state) ? List.of(state) : all;
+    }
+
+    /**
+     * Says that the device must be in {@code deviceState} while the new state {@code state} lasts, as the model can, too.
+     *
+     * @param deviceState the name of a state of the original model, or its path
+     */
+    protected final void device(String state, String deviceState) {
+        for (State each : used(state)) {
+            String known = pair.evolved().deviceState(each);
+            if (known != null && !known.equals(deviceState)) {
+                repeated.add(
+                        "state " + each + " has two device states, " + known + " and " + deviceState + "; keep one");
+            } else {
+                pair = new ModelPair(pair.original(), pair.evolved().withDeviceState(each, deviceState));
+            }
+        }
+    }
+
+    /**
+     * Says that the function of the new state {@code state} may send {@code event} to the device, as the model can, too.
+     * A state that says so, or has a device state, sends nothing else.
+     */
+    protected final void sends(String state, String event) {
+        for (State each : used(state)) {
+            pair = new ModelPair(pair.original(), pair.evolved().withSends(each, new Event(event)));
+        }
+    }
+
+    /** The states of this name, whose use of the device is registered. */
+    private List<State> used(String name) {
+        List<State> all = drawn(name);
+        if (pair.evolved().hasState(all.get(0))) {
+            return all;
+        }
+        misnamed.add("a use of the device is registered for " + name + ", which is not a state of the new model"
+                + Names.hint(name, pair.evolved().states()));
+        return List.of();
     }
 
     /**
@@ -342,6 +386,7 @@ public class StateKnowledge extends Knowledge {
 
     /** Registrations for names that the models do not have. */
     private void leftOver(List<String> problems) {
+        problems.addAll(misnamed);
         for (State state : functions.keySet()) {
             if (!pair.evolved().hasState(state)) {
                 problems.add("a function is registered for " + state + ", which is not a state of the new model"

@@ -82,7 +82,10 @@ final class Transcript {
         keepStates(decision.before());
         keep(" mode: {}", mode(decision));
         keep("Plan", "");
-        traced = decision instanceof Decision.ExistingState || decision instanceof Decision.Sending;
+        boolean sends = decision.steps().size() > (decision.deviceBegan() ? 1 : 0);
+        traced = decision instanceof Decision.ExistingState
+                || decision instanceof Decision.Sending
+                || (decision instanceof Decision.NewState && sends);
         if (!traced || decision.steps().isEmpty()) {
             keep(" MAPE-K loop does not send events. ", "");
         }

@@ -220,6 +220,11 @@ final class Visits implements VisitHost {
     }
 
     @Override
+    public State device() {
+        return knowledge.get().getOriginalState();
+    }
+
+    @Override
     public Clock clock() {
         return config.clock();
     }

@@ -353,19 +353,23 @@ abstract sealed class Conversion extends Arrivals permits Core {
 
     @Override
     final void conclude(long number, Outcome outcome, String reason) {
-        if (!progress.isOf(number)) {
-            return;
+        if (progress.isOf(number)) {
+            long visit = ledger.stay.number();
+            ledger.start(visit, end(outcome, reason));
         }
+    }
+
+    /** Ends the occurrence in progress; returns whether the state is entered again. */
+    private boolean end(Outcome outcome, String reason) {
         Pending pending = progress.pending();
         Decision decision = progress.decision();
         State from = pending.from();
         Configuration before = decision != null
                 ? decision.before()
                 : from == null ? ledger.place.at() : ledger.place.at().withOriginal(from);
-        long visit = ledger.stay.number();
         progress.end();
         ledger.ended(pending.occurrence(), before, outcome, null, reason);
-        ledger.start(visit, ledger.enterAgain(pending.occurrence()));
+        return ledger.enterAgain(pending.occurrence());
     }
 
     @Override
@@ -381,11 +385,15 @@ abstract sealed class Conversion extends Arrivals permits Core {
         Step step = stepOnItsWay(number);
         List<Occurrence> meanwhile = progress.meanwhile();
         Decision decision = progress.decision();
-        breakOff(number, afterBroken(progress.pending(), reason));
-        if (step != null) {
-            String why = "it is unknown whether " + step.trigger() + " had its effect: " + reason;
-            ledger.doubt(why, number, step, meanwhile, decision instanceof Decision.NewState ? decision : null);
+        if (step == null) {
+            breakOff(number, afterBroken(progress.pending(), reason));
+            return;
         }
+        long visit = ledger.stay.number();
+        boolean again = end(Outcome.FAILED, afterBroken(progress.pending(), reason));
+        String why = "it is unknown whether " + step.trigger() + " had its effect: " + reason;
+        ledger.doubt(why, number, step, meanwhile, decision instanceof Decision.NewState ? decision : null);
+        ledger.start(visit, again);
     }
 
     /** The thread that carried out the plan is gone. What was begun and not reported as finished is not begun again. */
@@ -445,8 +453,7 @@ abstract sealed class Conversion extends Arrivals permits Core {
         } else {
             ledger.happensMeanwhile(new Occurrence.Found(state, ledger.nowNanos));
             ledger.settleDoubt();
-            Decision interrupted = doubt.interrupted();
-            if (interrupted == null || !complete(interrupted, state)) {
+            if (doubt.interrupted() == null || !complete(doubt.interrupted(), state)) {
                 isIn(state, number);
             }
         }

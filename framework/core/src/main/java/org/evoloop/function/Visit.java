@@ -22,6 +22,12 @@ public interface Visit {
     /** The visited state. */
     State state();
 
+    /**
+     * Where the device is now: the state of the original model, as far as it has been reported. When the function of a
+     * state with a device state starts, that is the device state.
+     */
+    State device();
+
     /** The number of the visit; no two are equal. */
     long number();
 

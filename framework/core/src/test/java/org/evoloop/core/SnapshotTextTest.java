@@ -91,6 +91,7 @@ class SnapshotTextTest {
     static void assertUnchanged(BiFunction<Rules, Snapshot, Snapshot> writtenAndRead) {
         for (Scene scene : List.of(
                 Scene.robot().outOfOrder().with(1, Act.PRESS, Act.OWN, Act.GIVE_UP, Act.JUMP),
+                DeviceStateScenes.door().with(1, Act.PRESS, Act.OWN, Act.GIVE_UP, Act.END),
                 RandomPair.scene(1).with(1, Act.PRESS, Act.OWN, Act.FAIL, Act.DISMISS),
                 RandomPair.scene(2).with(1, Act.PRESS, Act.FAIL, Act.RAISE, Act.ASK))) {
             Exploration.of(scene, 12, (rules, snapshot) -> {

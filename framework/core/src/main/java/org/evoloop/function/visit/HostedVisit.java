@@ -145,6 +145,11 @@ public final class HostedVisit implements Visit {
     }
 
     @Override
+    public State device() {
+        return host.device();
+    }
+
+    @Override
     public boolean accepts(String event) {
         return host.accepts(this, new Event(event));
     }

@@ -3,6 +3,7 @@ package org.evoloop.function.visit;
 import org.evoloop.evolution.Values;
 import org.evoloop.function.Visit;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
 import org.evoloop.time.Clock;
 
 /**
@@ -14,6 +15,9 @@ public interface VisitHost {
 
     /** The converter's time. */
     Clock clock();
+
+    /** Where the device is, as far as is known: a state of the original model. */
+    State device();
 
     /** Whether functions have threads of their own. */
     boolean threads();

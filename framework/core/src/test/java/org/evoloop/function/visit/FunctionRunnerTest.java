@@ -21,6 +21,11 @@ class FunctionRunnerTest {
 
     private final VisitHost host = new VisitHost() {
         @Override
+        public State device() {
+            return new State("Off");
+        }
+
+        @Override
         public Clock clock() {
             return clock;
         }

@@ -38,6 +38,11 @@ public final class VisitLog implements VisitHost {
     }
 
     @Override
+    public State device() {
+        return new State("Off");
+    }
+
+    @Override
     public SetClock clock() {
         return clock;
     }
