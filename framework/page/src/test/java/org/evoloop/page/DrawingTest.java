@@ -59,6 +59,19 @@ class DrawingTest {
     }
 
     @Test
+    void aStateThatUsesTheDeviceSaysSo() {
+        StateMachine door = StateMachine.named("door")
+                .initial("Closed")
+                .transition("Closed", "gap", "Gap")
+                .deviceState("Gap", "StopUp")
+                .sends("Gap", "light")
+                .build();
+
+        assertThat(MachineDrawing.of(door, state -> false))
+                .containsOnlyOnce("<title>Gap, the device in StopUp; may send light</title></g>");
+    }
+
+    @Test
     void noStateLiesOnAnother() throws Exception {
         Document drawn = drawn(PaperModels.cleaningRobot().evolved());
         NodeList boxes = drawn.getElementsByTagName("rect");

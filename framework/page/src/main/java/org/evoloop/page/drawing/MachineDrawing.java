@@ -3,8 +3,10 @@ package org.evoloop.page.drawing;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.evoloop.page.drawing.Graph.Arrow;
 import org.evoloop.page.drawing.Graph.Box;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
@@ -60,14 +62,14 @@ public final class MachineDrawing {
         svg.append(format(
                 "<path class=\"initial\" d=\"M%.1f %.1fV%.1fM%.1f %.1fl5 -7M%.1f %.1fl-5 -7\"/>",
                 initial.x, top - 20, top, initial.x, top, initial.x, top));
-        graph.states.forEach((state, box) -> draw(state, box, added.test(state)));
+        graph.states.forEach((state, box) -> draw(state, box, added.test(state), machine));
         return svg.append("</svg>").toString();
     }
 
-    private void draw(State state, Box box, boolean added) {
+    private void draw(State state, Box box, boolean added, StateMachine machine) {
         svg.append(format(
                 "<g class=\"state%s\" data-state=\"%s\"><rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" rx=\"10\"/>"
-                        + "<text x=\"%.1f\" y=\"%.1f\">%s</text></g>",
+                        + "<text x=\"%.1f\" y=\"%.1f\">%s</text>%s</g>",
                 added ? " new" : "",
                 escape(state.name()),
                 box.x - box.width / 2,
@@ -76,7 +78,17 @@ public final class MachineDrawing {
                 box.height,
                 box.x,
                 box.y + 5,
-                escape(state.name())));
+                escape(state.name()),
+                device(state, machine)));
+    }
+
+    /** What a state has to do with the device, which a browser shows when it is pointed at; empty for most. */
+    private static String device(State state, StateMachine machine) {
+        String device = machine.deviceState(state);
+        String where = device == null ? "" : state + ", the device in " + device;
+        String sent = machine.sends(state).stream().map(Event::name).collect(Collectors.joining(", "));
+        String text = where + (where.isEmpty() || sent.isEmpty() ? "" : "; ") + (sent.isEmpty() ? "" : "may send " + sent);
+        return text.isEmpty() ? "" : "<title>" + escape(text) + "</title>";
     }
 
     private void draw(Arrow arrow) {
