@@ -172,7 +172,7 @@ class DamageTest {
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {8, 10})
+    @ValueSource(ints = {9, 11})
     void anotherVersionIsRefused(int version) throws Exception {
         Path segment = segmentIn(journal);
         byte[] bytes = Files.readAllBytes(segment);
