@@ -32,6 +32,9 @@ final class EventConversion {
     /** By the new model's states. */
     private final Map<State, Target> targets;
 
+    /** Whether any new state needs the device somewhere: it is asked whenever an occurrence ends. */
+    private final boolean needing;
+
     EventConversion(ModelPair pair, DeviceEvents device) {
         this.pair = pair;
         this.device = device;
@@ -42,6 +45,7 @@ final class EventConversion {
         for (State state : states) {
             targets.put(state, Target.of(state, pair));
         }
+        this.needing = targets.values().stream().anyMatch(Target::needsDevice);
     }
 
     /**
@@ -97,11 +101,14 @@ final class EventConversion {
 
     /** See {@link DecisionTable#needsDevice}. */
     boolean needsDevice(State state) {
-        return target(state).needsDevice();
+        return needing && target(state).needsDevice();
     }
 
     /** See {@link DecisionTable#isWhereNeeded}. */
     boolean isWhereNeeded(Configuration at) {
+        if (!needing) {
+            return true;
+        }
         Target present = target(at.evolved());
         return !present.needsDevice() || present.hasGoal(at.original());
     }
