@@ -139,9 +139,8 @@ class DeviceStateCommandsTest {
                                 + " in HalfUp\n");
         assertThat(good("plan", original, evolved, "--format", "json")).contains("\"function\" : \"Airing\"");
         assertThat(good("plan", original, evolved, "--bypass"))
-                .contains(
-                        "(Rising, ToAir)  the function of ToAir does not run, no timer runs for after 2 s: the device"
-                                + " stays in Rising until top\n")
+                .contains("(Rising, ToAir)  the function of ToAir does not run, no timer runs for after 2 s: the device"
+                        + " stays in Rising until top\n")
                 .contains("(HalfUp, Airing)  the function of Airing does not run: the device stays in HalfUp\n");
     }
 

@@ -87,7 +87,8 @@ public final class MachineDrawing {
         String device = machine.deviceState(state);
         String where = device == null ? "" : state + ", the device in " + device;
         String sent = machine.sends(state).stream().map(Event::name).collect(Collectors.joining(", "));
-        String text = where + (where.isEmpty() || sent.isEmpty() ? "" : "; ") + (sent.isEmpty() ? "" : "may send " + sent);
+        String text =
+                where + (where.isEmpty() || sent.isEmpty() ? "" : "; ") + (sent.isEmpty() ? "" : "may send " + sent);
         return text.isEmpty() ? "" : "<title>" + escape(text) + "</title>";
     }
 
