@@ -216,14 +216,16 @@ public final class ScxmlWriter {
             state(state, depth);
         } else if (vertex instanceof FinalState end) {
             line(depth, "<final" + identity(end) + ">");
+            int contents = text.length();
             actions("onentry", end.entry(), depth + 1);
             actions("onexit", end.exit(), depth + 1);
-            line(depth, "</final>");
+            end("final", depth, contents);
         } else if (isHistory(vertex)) {
             boolean deep = ((Pseudostate) vertex).kind() == Kind.DEEP_HISTORY;
             line(depth, "<history" + identity(vertex) + attribute("type", deep ? "deep" : "shallow") + ">");
+            int contents = text.length();
             ways(vertex.key()).forEach(way -> transition(way, depth + 1, ""));
-            line(depth, "</history>");
+            end("history", depth, contents);
         }
     }
 
@@ -231,6 +233,7 @@ public final class ScxmlWriter {
         boolean parallel = state.regions().size() > 1;
         String element = parallel ? "parallel" : "state";
         line(depth, "<" + element + identity(state) + ">");
+        int contents = text.length();
         actions("onentry", state.entry(), depth + 1);
         actions("onexit", state.exit(), depth + 1);
         List<Way> ways = new ArrayList<>();
@@ -249,7 +252,16 @@ public final class ScxmlWriter {
                 region(region, depth + 1);
             }
         }
-        line(depth, "</" + element + ">");
+        end(element, depth, contents);
+    }
+
+    /** Ends an element whose contents, if it has any, begin at this index. */
+    private void end(String element, int depth, int contents) {
+        if (text.length() == contents) {
+            text.replace(contents - ">\n".length(), contents, "/>\n");
+        } else {
+            line(depth, "</" + element + ">");
+        }
     }
 
     private static Way way(Arc arc, List<String> targets) {

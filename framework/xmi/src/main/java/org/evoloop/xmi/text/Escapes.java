@@ -77,19 +77,4 @@ final class Escapes {
         }
         return (plain == null ? text : plain.append(text, copied, text.length()).toString()).strip();
     }
-
-    /** A part of a label, so that reading it gives the same text. */
-    static String encode(String text) {
-        boolean balanced = Label.isBalanced(text);
-        StringBuilder encoded = new StringBuilder(text.length());
-        text.codePoints().forEach(point -> {
-            boolean bracket = point == '(' || point == ')';
-            if (bracket ? !balanced : ",;/[]{}\"\\#<>&".indexOf(point) >= 0 || Character.isISOControl(point)) {
-                encoded.append('#').append(point).append(';');
-            } else {
-                encoded.appendCodePoint(point);
-            }
-        });
-        return encoded.toString();
-    }
 }

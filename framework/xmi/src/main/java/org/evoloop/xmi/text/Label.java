@@ -5,13 +5,16 @@ import java.util.List;
 import org.evoloop.xmi.dialect.Condition;
 
 /**
- * A transition's label, {@code event, event [guard] / effect, effect {local}}, each part optional.
+ * A transition's label, {@code event, event [guard] / effect, effect «local»}, each part optional.
  *
  * @param triggers as written, with their keywords
  * @param guards usually one at most
  */
 record Label(List<String> triggers, List<String> guards, List<String> effects, boolean local) {
-    private static final String LOCAL = "{local}";
+    /** At the end of a label that Mermaid is to read, which takes a brace for that of a state. */
+    static final String LOCAL = "«local»";
+
+    private static final List<String> LOCALS = List.of(LOCAL, "<<local>>", "{local}");
 
     /** A label that has no meaning, with the column of the reason, counted from 1. */
     static final class Meaningless extends Exception {
@@ -32,10 +35,9 @@ record Label(List<String> triggers, List<String> guards, List<String> effects, b
     /** @param column of the text's first letter */
     static Label parse(String text, int column, Syntax syntax) throws Meaningless {
         String label = text.stripTrailing();
-        boolean local = label.endsWith(LOCAL);
-        if (local) {
-            label = label.substring(0, label.length() - LOCAL.length()).stripTrailing();
-        }
+        String whole = label;
+        String ending = LOCALS.stream().filter(whole::endsWith).findFirst().orElse("");
+        label = label.substring(0, label.length() - ending.length()).stripTrailing();
         int slash = Marks.slash(label, syntax);
         String head = slash < 0 ? label : label.substring(0, slash);
         List<String> guards = new ArrayList<>();
@@ -62,7 +64,7 @@ record Label(List<String> triggers, List<String> guards, List<String> effects, b
                 Marks.split(head.substring(0, end), ",", syntax),
                 guards,
                 slash < 0 ? List.of() : Marks.split(label.substring(slash + 1), ",;", syntax),
-                local);
+                !ending.isEmpty());
     }
 
     /** Whether each bracket is closed. */

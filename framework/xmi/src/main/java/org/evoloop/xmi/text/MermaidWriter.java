@@ -7,6 +7,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.evoloop.statechart.Arc;
 import org.evoloop.statechart.Region;
@@ -227,13 +228,22 @@ public final class MermaidWriter {
         } else if (vertex instanceof ChartState state) {
             List<String> below = below(state);
             boolean plain = state.name().equals(id) && below.isEmpty();
-            String name = plain ? id : "\"" + Words.name(state.name()) + "\" as " + id;
             if (!state.regions().isEmpty()) {
-                line(depth, "state " + name + " {");
+                // Mermaid has no other place for what such a state does.
+                String name = Words.name(state.name())
+                        + below.stream()
+                                .map(behavior -> "<br>" + behavior.replace("\"", "#quot;"))
+                                .collect(Collectors.joining());
+                line(depth, "state " + (plain ? id : "\"" + name + "\" as " + id) + " {");
                 regions(state.regions(), depth + 1);
                 line(depth, "}");
-            } else if (!plain || !mentioned) {
-                line(depth, "state " + name);
+                return;
+            }
+            if (!plain) {
+                line(depth, "state \"" + Words.name(state.name()) + "\" as " + id);
+            } else if (!mentioned) {
+                // Mermaid would look for the contents of "state ID" in the lines below.
+                line(depth, id);
             }
             below.forEach(behavior -> line(depth, id + " : " + behavior));
         }

@@ -33,9 +33,12 @@ final class Statements {
             "entrypoint", Kind.ENTRY_POINT,
             "exitpoint", Kind.EXIT_POINT);
     private static final Pattern SEPARATOR = Pattern.compile("(--+|\\|\\|)\\s*");
-    private static final Pattern BEHAVIOR = Pattern.compile("(?i)\\s*(entry|exit|do)\\s*[/:]\\s*(.*)", Pattern.DOTALL);
-    private static final Pattern DEFERS =
-            Pattern.compile("(?i)\\s*(?:defer\\s*[/:]\\s*(.*?)|(.*?)\\s*/\\s*defer)\\s*", Pattern.DOTALL);
+    private static final Pattern BEHAVIOR = Pattern.compile("(?i)\\s*+(entry|exit|do)\\s*+[/:](.*)", Pattern.DOTALL);
+    private static final Pattern DEFER = Pattern.compile("(?i)defer\\s*+[/:](.*)", Pattern.DOTALL);
+    private static final Pattern IS_DEFERRED = Pattern.compile("(?i)([^/]*)/\\s*+defer", Pattern.DOTALL);
+    /** Nobody writes longer ones, and reading them may take time quadratic in their length. */
+    private static final int LONGEST_LINE = 4_000;
+
     /** A line break in a label. */
     private static final Pattern BREAK = Pattern.compile("(?i)<br\\s*/?>|\\\\n");
 
@@ -66,6 +69,10 @@ final class Statements {
         int number = block.line();
         for (String text : block.lines()) {
             number++;
+            if (text.length() > LONGEST_LINE) {
+                problems.add(number, "the line has " + text.length() + " letters; write shorter ones");
+                continue;
+            }
             Cursor line = new Cursor(text, number);
             try {
                 while (line.hasMore()) {
@@ -131,7 +138,7 @@ final class Statements {
         String id = quotedOnly ? shown : id(line);
         TextState state = tree.state(id, line.line(), at);
         if (!shown.isEmpty()) {
-            state.rename(Escapes.decode(flat(shown), syntax));
+            shown(state, shown, line.line(), column);
         }
         while (line.hasMore()) {
             if (line.isAt("<<") || line.isAt("[[")) {
@@ -146,7 +153,7 @@ final class Statements {
                 if (!line.take("\"")) {
                     throw new Refusal(line.column(), "a name is missing; write it in quotation marks");
                 }
-                state.rename(Escapes.decode(flat(quoted(line, column)), syntax));
+                shown(state, quoted(line, column), line.line(), column);
             } else if (line.take("{")) {
                 tree.open(state, line.line(), line.column() - 1);
                 return;
@@ -159,6 +166,24 @@ final class Statements {
                                 + "' is not understood; write state \"NAME\" as ID, with { for a state with contents");
             }
         }
+    }
+
+    /**
+     * Reads what is in a state's quotation marks: its name, and in further lines what it does. For a state with contents
+     * Mermaid has no other place.
+     */
+    private void shown(TextState state, String text, int line, int column) throws Refusal {
+        StringBuilder name = new StringBuilder();
+        boolean behavior = false;
+        for (String part : BREAK.split(text, -1)) {
+            behavior |= !name.isEmpty() && part.indexOf('/') >= 0;
+            if (behavior) {
+                behavior(state, part, line, column);
+            } else {
+                name.append(name.isEmpty() ? "" : " ").append(part.strip());
+            }
+        }
+        state.rename(Escapes.decode(name.toString(), syntax));
     }
 
     private static String quoted(Cursor line, int column) throws Refusal {
@@ -427,7 +452,7 @@ final class Statements {
 
     private void behavior(TextState state, String text, int line, int column) throws Refusal {
         Matcher behavior = BEHAVIOR.matcher(text);
-        Matcher defers = DEFERS.matcher(text);
+        String deferred = deferred(text.strip());
         try {
             if (behavior.matches()) {
                 List<String> texts =
@@ -437,9 +462,8 @@ final class Statements {
                     case "exit" -> state.exit.addAll(texts);
                     default -> state.activities.addAll(texts);
                 }
-            } else if (defers.matches()) {
-                String events = defers.group(1) == null ? defers.group(2) : defers.group(1);
-                state.deferred.addAll(Label.parse(events, column, syntax).triggers());
+            } else if (!deferred.isEmpty()) {
+                state.deferred.addAll(Label.parse(deferred, column, syntax).triggers());
             } else if (text.indexOf('/') >= 0) {
                 internal(state, Label.parse(text, column, syntax), line, column);
             } else if (!text.isBlank()) {
@@ -452,6 +476,13 @@ final class Statements {
         } catch (Label.Meaningless meaningless) {
             throw new Refusal(meaningless.column, meaningless.text());
         }
+    }
+
+    /** The events that are deferred, {@code defer / e} or {@code e / defer}; empty if this is something else. */
+    private static String deferred(String text) {
+        Matcher defer = DEFER.matcher(text);
+        Matcher isDeferred = IS_DEFERRED.matcher(text);
+        return defer.matches() ? defer.group(1) : isDeferred.matches() ? isDeferred.group(1) : "";
     }
 
     private void internal(TextState state, Label label, int line, int column) throws Refusal {

@@ -29,7 +29,7 @@ public final class TextDialect {
             Pattern.DOTALL);
 
     private static final Pattern ELSEWHERE = Pattern.compile(
-            "(?m)^\\s*+@start(?:uml|json|dot|salt|yaml)\\b|^\\s*+(?:```+|~~~+)\\s*+(?:mermaid|plantuml|puml)\\b");
+            "(?m)^[ \\t]*+@start(?:uml|json|dot|salt|yaml)\\b|^[ \\t]*+(?:```+|~~~+)[ \\t]*+(?:mermaid|plantuml|puml)\\b");
 
     private TextDialect() {}
 

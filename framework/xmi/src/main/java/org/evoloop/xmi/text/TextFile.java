@@ -64,10 +64,12 @@ final class TextFile {
         MARKDOWN;
 
         static Kind of(String text) {
-            if (Pattern.compile("(?m)^\\s*+(?:```+|~~~+)\\s*+\\w").matcher(text).find()) {
+            if (Pattern.compile("(?m)^[ \\t]*+(?:```+|~~~+)[ \\t]*+\\w")
+                    .matcher(text)
+                    .find()) {
                 return MARKDOWN;
             }
-            return Pattern.compile("(?mi)^\\s*+@start\\w").matcher(text).find() ? PLANTUML : MERMAID;
+            return Pattern.compile("(?mi)^[ \\t]*+@start\\w").matcher(text).find() ? PLANTUML : MERMAID;
         }
     }
 

@@ -37,11 +37,11 @@ final class Words {
             "subgraph");
 
     private static final Pattern ID = Pattern.compile("\\p{L}[\\p{L}\\p{N}_]*");
-    /** What Mermaid takes for the end of a statement, a comment, a tag, an entity or a label's beginning. */
-    private static final Pattern ALWAYS = Pattern.compile(
-            "[;\\p{Cntrl}]|%%|<(?=[\\p{L}/!?])|&(?=[#\\w])|::+|\\\\(?=[,;/\\[\\]{}()\"\\\\nN])|\\{local\\}");
+    /** What Mermaid takes for the end of a statement, a state's contents, a comment, a tag, an entity or a label. */
+    private static final Pattern ALWAYS =
+            Pattern.compile("[;{}\\p{Cntrl}]|%%|<(?=[\\p{L}/!?])|&(?=[#\\w])|::+|\\\\(?=[,;/\\[\\]{}()\"\\\\nN])");
 
-    private static final Pattern SIGNS = Pattern.compile("[,/\\[\\](){}\":]");
+    private static final Pattern SIGNS = Pattern.compile("[,/\\[\\]()\":«]");
 
     /** Between the texts of several guards, each in its own brackets. */
     static final String BETWEEN_GUARDS = "] [";
@@ -92,7 +92,7 @@ final class Words {
                     + String.join(
                             ", ", arc.effects().stream().map(Words::effect).toList()));
         }
-        parts.add(arc.kind() == Arc.Kind.LOCAL ? "{local}" : "");
+        parts.add(arc.kind() == Arc.Kind.LOCAL ? Label.LOCAL : "");
         return String.join(" ", parts.stream().filter(part -> !part.isEmpty()).toList());
     }
 

@@ -37,6 +37,7 @@ class TextReadingTest {
                 "A --> B : / f | / f",
                 "A --> B : and\\/or \\[x\\] | and/or [x]",
                 "A --> B : go {local} | go LOCAL",
+                "A --> B : go / f «local» | go / f LOCAL",
                 "A --> B : say(\"a, b\"), hush | say(\"a, b\"), hush",
                 "A --> B : «spontaneous» done | done",
                 "A --> B : <<spontaneous>> done | done",
@@ -86,6 +87,13 @@ class TextReadingTest {
                         "state A A entry[on, glow] exit[off] do[hum] defer[later, never]",
                         "  A -> A : tick [x] / count INTERNAL",
                         "  A -> A : swallowed INTERNAL");
+    }
+
+    @Test
+    void linesBelowANameAreBehaviorToo() {
+        assertThat(mermaid(
+                        "[*] --> A", "state \"Long<br>name<br/>entry / on<br>tick / count\" as A {", "[*] --> B", "}"))
+                .contains("state A Long name entry[on]", "  A -> A : tick / count INTERNAL");
     }
 
     @Test
