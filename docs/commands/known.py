@@ -229,6 +229,7 @@ KNOWN = [
         shows="something else: the device goes to Spot",
     ),
     typed("./evoloop models check models/README.md#original models/README.md#new"),
+    typed("./evoloop models check README.md#original README.md#new"),
     typed("./evoloop models show models/roomba.xml --format mermaid > roomba.md"),
     typed("./evoloop models flatten models/light-bulb.xml#new --format scxml", shows='<state id="incandescentOn">'),
     typed("./evoloop models check docs/fan/fan.uml#original docs/fan/fan.uml#new", shows="swallowed-event"),

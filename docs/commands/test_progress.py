@@ -75,7 +75,8 @@ class ProgressTest(unittest.TestCase):
         (self.root / "good").touch()
         with self.build(subprocess.PIPE) as program:
             told = program.communicate()[1].decode()
-        self.assertEqual((program.returncode, told), (0, "evoloop: putting Evoloop's artifacts into your local Maven repository\n"))
+        self.assertEqual(program.returncode, 0)
+        self.assertRegex(told, r"\Aevoloop: putting Evoloop's artifacts into your local Maven repository.*\n\Z")
 
 
 if __name__ == "__main__":

@@ -53,6 +53,7 @@
 #define CROWDED_OUT 7
 #define TOGETHER 8
 #define QUESTION 9
+#define HEARD_FIRST 10
 
 typedef Pending {
   byte id;
@@ -116,7 +117,7 @@ hidden byte may_part;
 
 /* Scratch. */
 hidden Pending next_one;
-hidden byte i, j, k, at_state, before_state, target, number;
+hidden byte i, j, k, place, at_state, before_state, target, number;
 hidden byte entries; /* visits that began during the current input */
 hidden byte kept_fact[FACTS];
 hidden byte noted_id, noted_event, noted_source, ended_kind, timer;

@@ -39,23 +39,46 @@ inline find_owed() {
   busy = 1
 }
 
+/* Line.next: the place of the first fact, else of the first occurrence, in `place`. */
+inline find_next() {
+  place = 0;
+#ifndef FACTS_WAIT_BEHIND_REQUESTS
+  do
+  :: place < waiting && !HAS_HAPPENED(line[place]) -> place++
+  :: else -> break
+  od;
+  place = (place < waiting -> place : 0)
+#endif
+}
+
 inline give_turn() {
+  find_next();
   if
 #ifndef VISITS_ARE_NOT_TOLD_APART
-  :: line[0].visit == FORMER -> ended(); take_out(0)
+  :: line[place].visit == FORMER -> end_at_once()
 #endif
-  :: line[0].kind == IN_DOUBT && doubt != UNSETTLED -> ended(); take_out(0)
+  :: line[place].kind == IN_DOUBT && doubt != UNSETTLED -> end_at_once()
   :: else ->
     if
-    :: line[0].kind == HEARD && line[0].source == TIMER && line[0].what == timer_table[IX(pair, 0, system_at, 0)] -> armed = 0
+    :: line[place].kind == HEARD && line[place].source == TIMER && line[place].what == timer_table[IX(pair, 0, system_at, 0)] -> armed = 0
     :: else -> skip
     fi;
-    COPY(work, line[0]);
-    take_out(0);
+    COPY(work, line[place]);
+    take_out(place);
     busy = 1;
+    count_facts();
+    must(HEARD_FIRST, HAS_HAPPENED(work) || j == 0);
     must(VISIT, work.visit != FORMER);
     must(QUESTION, doubt != UNSETTLED || work.kind == IN_DOUBT || !(line[0].kind == IN_DOUBT || line[1].kind == IN_DOUBT))
   fi
+}
+
+/* It may be what the end of the present visit has waited for. */
+inline end_at_once() {
+  ended_kind = line[place].kind;
+  take_out(place);
+  ended();
+  enter_again(ended_kind)
 }
 
 inline end_work() {
@@ -110,9 +133,14 @@ inline planned(id_, plan_, start, system) {
   if
   :: busy && work.id == (id_) && stage == RESUMED -> stage = READY; forget_facts(); go_on()
   :: busy && work.id == (id_) && stage != RESUMED && !decided ->
+    count_facts();
     if
     :: device_at != (start) || system_at != (system) -> again()
+#ifndef A_REQUEST_THAT_HAS_BEGUN_IS_DECIDED_BEFORE_FACTS
+    :: device_at == (start) && system_at == (system) && !HAS_HAPPENED(work) && j > 0 -> give_way()
+#endif
     :: else ->
+      must(HEARD_FIRST, HAS_HAPPENED(work) || j == 0);
       plan = plan_;
       decided = 1;
       late = work.later;
@@ -298,6 +326,17 @@ inline again() {
   :: else ->
     COPY(next_one, work);
     next_one.attempts++;
+    end_work();
+    put_back()
+  fi
+}
+
+/* What the device did by itself is heard first. */
+inline give_way() {
+  if
+  :: !open -> conclude(true)
+  :: else ->
+    COPY(next_one, work);
     end_work();
     put_back()
   fi

@@ -15,10 +15,11 @@ PROPERTIES = {
     "room": "a controller's event is lost only when the queue is full of controllers' events",
     "together": "when nothing is left to do, device and new model go together, unless something failed",
     "question": "nothing else has its turn before the device is asked where it is",
+    "heard": "no request has its turn, or is decided, while a fact waits",
     "drains": "when nothing more happens, the queue drains",
     "swaps": "every swap ends: it is completed or abandoned",
 }
-NUMBERS = ("", "record", "once", "visit", "again", "sent", "stuck", "room", "together", "question")
+NUMBERS = ("", "record", "once", "visit", "again", "sent", "stuck", "room", "together", "question", "heard")
 """The properties, by their numbers in prism/proof/core.pml."""
 
 
@@ -149,6 +150,8 @@ MUTANTS = (
     Mutant("A_LATE_EFFECT_MOVES_THE_DEVICE_ONLY", "the new model follows a late effect", "together", ROBOT, {"PRESSES": 1, "GIVE_UPS": 1}),
     Mutant("AN_ANSWER_MOVES_THE_DEVICE_ONLY", "the new model follows the device's answer, after older facts", "together", BULB, {"PRESSES": 1, "OWNS": 1, "GIVE_UPS": 1}),
     Mutant("WHAT_IS_DECIDED_AGAIN_COMES_BEFORE_A_QUESTION", "the device is asked before an overtaken plan is made again", "question", BULB, {"PRESSES": 2, "OWNS": 1, "JUMPS": 1, "GIVE_UPS": 1}, WORST, in_core=False),
+    Mutant("FACTS_WAIT_BEHIND_REQUESTS", "a fact has its turn before any request", "heard", ROBOT, {"PRESSES": 1, "OWNS": 1}),
+    Mutant("A_REQUEST_THAT_HAS_BEGUN_IS_DECIDED_BEFORE_FACTS", "a request gives way to a fact until it is decided", "heard", ROBOT, {"PRESSES": 1, "OWNS": 1}),
     Mutant("A_FACT_THAT_FAILS_MOVES_THE_DEVICE_ONLY", "the new model follows a fact that fails before it is decided", "together", ROBOT, {"OWNS": 1, "FAILS": 1}),
     Mutant("A_SWAP_LEAVES_THE_STATES_APART", "after a swap the new model follows what the device has done", "together", BULB, {"PRESSES": 1, "OWNS": 1, "SWAPS": 1}),
     Mutant("NOBODY_IS_ASKED_TO_GO_ON", "each step that took effect requests the next", "drains", ROBOT, {"PRESSES": 1}, in_core=False),

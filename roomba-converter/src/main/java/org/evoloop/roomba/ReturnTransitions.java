@@ -21,11 +21,13 @@ import org.evoloop.statemachine.Transition;
 final class ReturnTransitions {
     static final String PREFIX = "backTo";
 
+    private final ModelPair pair;
     private final StateMachine original;
     private final StateMachine evolved;
     private final Set<State> moves;
 
     ReturnTransitions(ModelPair pair, Set<State> moves) {
+        this.pair = pair;
         this.original = pair.original();
         this.evolved = pair.evolved();
         this.moves = moves;
@@ -40,7 +42,10 @@ final class ReturnTransitions {
     StateMachine drawn() {
         StateMachineBuilder builder =
                 StateMachine.named(evolved.name()).initial(evolved.initial().name());
-        evolved.states().forEach(state -> builder.activities(state.name(), evolved.activities(state)));
+        for (State state : evolved.states()) {
+            builder.activities(state.name(), evolved.activities(state));
+            builder.device(state.name(), evolved, state);
+        }
         evolved.events().forEach(event -> builder.event(event.name()));
         evolved.transitions().forEach(transition -> builder.transition(transition, ""));
         for (State move : moves) {
@@ -98,16 +103,24 @@ final class ReturnTransitions {
         return deviceStates(move).stream().allMatch(from -> reachable(from).contains(target));
     }
 
-    /** The device's possible states in a new state: the device states from which the new state is entered. */
+    /**
+     * The device's possible states in a new state: those in which it must be there, or else those from which the new
+     * state is entered.
+     */
     private Set<State> deviceStates(State state) {
+        List<State> needed = pair.whereDeviceMustBe(state);
+        if (!needed.isEmpty()) {
+            return Set.copyOf(needed);
+        }
         Set<State> found = new LinkedHashSet<>();
         Set<State> seen = new LinkedHashSet<>(Set.of(state));
         Deque<State> next = new ArrayDeque<>(seen);
         while (!next.isEmpty()) {
             for (Transition entry : entries(next.remove())) {
                 State source = entry.source();
-                if (original.hasState(source)) {
-                    found.add(source);
+                List<State> there = pair.whereDeviceMustBe(source);
+                if (!there.isEmpty()) {
+                    found.addAll(there);
                 } else if (seen.add(source)) {
                     next.add(source);
                 }

@@ -43,6 +43,7 @@ public final class Check {
             PairGraph graph = new PairGraph(pair.initial(), table);
             findings.addAll(new PairRules(input, table, graph, original, evolved).findings());
             findings.addAll(new PairNotes(input, table, graph).findings());
+            findings.addAll(new DeviceStateRules(input, graph).findings());
         }
         findings.sort(Comparator.comparing(Finding::rule));
         return List.copyOf(findings);

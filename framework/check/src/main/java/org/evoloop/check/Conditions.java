@@ -10,7 +10,7 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 
-/** The conditions for an evolution: the paper's Definition IV.1, and the same initial state. */
+/** The conditions for an evolution: the paper's Definition IV.1, the same initial state, and device states that exist. */
 final class Conditions {
     private final ModelPair pair;
     private final List<MissingState> missing = new ArrayList<>();
@@ -39,6 +39,12 @@ final class Conditions {
                 .filter(state -> beside.size() < 2 || !beside.contains(state))
                 .forEach(state -> findings.add(finding(state, state.message())));
         initial();
+        pair.deviceStateProblems()
+                .forEach(problem -> findings.add(new Finding(
+                        Rule.DEVICE_STATE,
+                        new Element.OfState(Element.ModelRole.NEW, problem.state()),
+                        problem.message(),
+                        problem.remedy())));
         return findings;
     }
 

@@ -8,7 +8,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
-import org.evoloop.evolution.Step;
+import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Turn;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
@@ -16,8 +16,8 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
 /**
- * What functions of new states may have the device do. Nothing declares what they send, so each of them may send
- * whatever can be sent, at any time and any number of times.
+ * What functions of new states may have the device do: what the new model declares, or else, in a state without a device
+ * state, whatever can be sent; at any time and any number of times.
  *
  * <p>Threading: immutable.
  *
@@ -25,8 +25,9 @@ import org.evoloop.statemachine.Transition;
  */
 public final class FunctionSends {
     /** What the author of a property can do about it. */
-    public static final String REMEDY = "ask for less where such a function runs, or list the new states that have a "
-            + "function with --functions";
+    public static final String REMEDY = "ask for less where such a function runs, say in the model what it sends "
+            + "(«sends EVENT») or where it needs the device («device STATE»), or list the new states that have a function "
+            + "with --functions";
 
     private static final int LISTED = 5;
 
@@ -38,10 +39,16 @@ public final class FunctionSends {
         this.states = states;
     }
 
-    /** By every new state that has a function; where it is unknown which have one, by every new state. */
+    /**
+     * By every new state that has a function, unless it needs the device somewhere and declares nothing; where it is
+     * unknown which have one, by every such new state.
+     */
     public static FunctionSends possible(CheckInput input) {
         Set<State> states = new LinkedHashSet<>(input.pair().evolved().states());
-        states.removeIf(state -> !input.pair().isNew(state) || !mayHaveFunction(input, state));
+        states.removeIf(state -> !input.pair().isNew(state)
+                || !mayHaveFunction(input, state)
+                || (!input.pair().whereDeviceMustBe(state).isEmpty()
+                        && input.pair().evolved().sends(state).isEmpty()));
         return new FunctionSends(input, states);
     }
 
@@ -77,17 +84,16 @@ public final class FunctionSends {
     }
 
     /** What the function that runs in {@code at} may send: a {@link Decision.Sending} each. */
-    public List<Turn> from(Configuration at) {
+    public List<Turn> from(Configuration at, DecisionTable table) {
         List<Turn> sends = new ArrayList<>();
         if (states.contains(at.evolved())) {
             StateMachine original = input.pair().original();
             for (Transition transition : original.transitionsFrom(at.original())) {
-                Event trigger = transition.event().trigger();
-                if (input.device().sendable().contains(trigger)) {
-                    boolean conditional = !transition.event().guards().isEmpty();
-                    Step step = new Step(transition, trigger, false, conditional);
-                    Configuration after = at.withOriginal(transition.target());
-                    sends.add(new Turn(transition.event(), false, new Decision.Sending(at, after, List.of(step))));
+                Event event = transition.event();
+                Decision asked = table.ask(at, event.trigger(), event.guards()::contains);
+                if (asked instanceof Decision.Sending
+                        && asked.steps().get(0).transition().equals(transition)) {
+                    sends.add(new Turn(event, false, asked));
                 }
             }
         }

@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -32,28 +33,36 @@ final class NoPathCauses {
         this.device = device;
     }
 
-    /** The turns with one cause, in order, and the events that cannot be sent. */
-    record Group(List<Turn> turns, Set<State> targets, Set<Event> unsendable) {}
+    /** The turns with one cause, in order, and the transitions on events that cannot be sent. */
+    record Group(List<Turn> turns, Set<State> targets, Set<Transition> missing) {
+        Set<Event> unsendable() {
+            Set<Event> events = new LinkedHashSet<>();
+            missing.forEach(transition -> events.add(transition.event().trigger()));
+            return events;
+        }
+    }
 
     /** @param targets the device's states of which one is wanted; several if they differ in their history */
     void add(Turn turn, List<State> targets) {
         Configuration after = turn.decision().after();
-        Optional<Event> missing = firstUnsendable(after.original(), targets);
-        Group mine = new Group(new ArrayList<>(), new HashSet<>(), new HashSet<>());
+        Optional<Transition> missing = firstUnsendable(after.original(), targets);
+        Group mine = new Group(new ArrayList<>(), new HashSet<>(), new LinkedHashSet<>());
         List<Group> joined = groups.stream()
                 .filter(group -> targets.stream().anyMatch(group.targets()::contains)
-                        || missing.filter(group.unsendable()::contains).isPresent())
+                        || missing.map(transition -> transition.event().trigger())
+                                .filter(group.unsendable()::contains)
+                                .isPresent())
                 .toList();
         Group group = joined.isEmpty() ? mine : joined.get(0);
         joined.stream().skip(1).forEach(other -> {
             group.turns().addAll(other.turns());
             group.targets().addAll(other.targets());
-            group.unsendable().addAll(other.unsendable());
+            group.missing().addAll(other.missing());
             groups.remove(other);
         });
         group.turns().add(turn);
         group.targets().addAll(targets);
-        missing.ifPresent(group.unsendable()::add);
+        missing.ifPresent(group.missing()::add);
         if (joined.isEmpty()) {
             groups.add(group);
         }
@@ -63,8 +72,8 @@ final class NoPathCauses {
         return groups;
     }
 
-    /** The event on the shortest drawn path; empty if there is no path, or all of its events can be sent. */
-    private Optional<Event> firstUnsendable(State source, List<State> targets) {
+    /** The one on the shortest drawn path; empty if there is no path, or all of its events can be sent. */
+    private Optional<Transition> firstUnsendable(State source, List<State> targets) {
         Map<State, Transition> arrivals = new HashMap<>();
         Queue<State> frontier = new ArrayDeque<>(List.of(source));
         Predicate<State> isReached = arrivals::containsKey;
@@ -76,7 +85,7 @@ final class NoPathCauses {
                 }
             }
         }
-        Event first = null;
+        Transition first = null;
         Transition last = targets.stream()
                 .filter(isReached)
                 .findFirst()
@@ -84,7 +93,7 @@ final class NoPathCauses {
                 .orElse(null);
         while (last != null) {
             Event trigger = last.event().trigger();
-            first = device.sendable().contains(trigger) ? first : trigger;
+            first = device.sendable().contains(trigger) ? first : last;
             last = arrivals.get(last.source());
         }
         return Optional.ofNullable(first);

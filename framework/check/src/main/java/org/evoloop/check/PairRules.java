@@ -94,7 +94,7 @@ final class PairRules {
                 if (turn.decision() instanceof Decision.Impossible impossible) {
                     if (!unsendable.contains(turn.event().trigger())) {
                         State target = transition(impossible).target();
-                        impossible(turn, input.pair().deviceStates(target), problems.contains(impossible));
+                        impossible(turn, input.pair().whereDeviceMustBe(target), problems.contains(impossible));
                     }
                 } else if (!turn.deviceActed()) {
                     turn.decision().steps().stream().map(Step::transition).forEach(had::add);
@@ -161,10 +161,27 @@ final class PairRules {
     }
 
     private void noPath(NoPathCauses.Group group) {
-        String events = group.unsendable().isEmpty()
-                ? "an event that takes the device there"
-                : PairNotes.names(group.unsendable());
-        impossible(Rule.NO_PATH, group.turns(), "let the converter send " + events + ", or draw another target");
+        impossible(Rule.NO_PATH, group.turns(), remedy(group));
+    }
+
+    /** What the device does by itself cannot be sent, but a new state can wait for it where the device does it. */
+    private String remedy(NoPathCauses.Group group) {
+        Transition missing = group.missing().stream().findFirst().orElse(null);
+        if (missing == null) {
+            return "let the converter send an event that takes the device there, or draw another target";
+        }
+        Event trigger = missing.event().trigger();
+        if (!isDevicesOwn(trigger)) {
+            return "let the converter send " + PairNotes.names(group.unsendable()) + ", or draw another target";
+        }
+        Turn first = group.turns().get(0);
+        State waiting = first.decision().before().evolved();
+        boolean waits = input.pair().isNew(waiting)
+                && input.pair().whereDeviceMustBe(waiting).isEmpty()
+                && first.event().trigger().equals(trigger);
+        return waits
+                ? "give " + waiting + " the device state " + missing.source()
+                : "draw a new state with device state " + missing.source() + " and a transition on " + trigger;
     }
 
     private void hazard(NoPathCauses.Group group) {

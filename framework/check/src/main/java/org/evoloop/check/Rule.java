@@ -15,6 +15,8 @@ public enum Rule {
     CONDITION_2(Severity.ERROR),
     /** The two machines start in different states. */
     INITIAL_DIFFERS(Severity.ERROR),
+    /** A device state that the original model lacks, or that is given to a state that the device has itself. */
+    DEVICE_STATE(Severity.ERROR),
     /** Two transitions of a state are enabled at the same time. */
     NONDETERMINISM(Severity.ERROR),
     /** No sequence of events leads to a state. */
@@ -31,6 +33,10 @@ public enum Rule {
     NO_PATH(Severity.ERROR),
     /** As {@link #NO_PATH}, but only after the device has done by itself what could have been sent to it. */
     HAZARD(Severity.NOTE),
+    /** What a function is declared to send cannot be sent where the function runs, or leaves the device state. */
+    DECLARED_SEND(Severity.ERROR),
+    /** The converter sends events in a circle without an end, and nothing else can happen between them. */
+    RESTLESS(Severity.ERROR),
     /** Something that the device does is no longer available anywhere. */
     DEGRADATION(Severity.WARNING),
     /** A time trigger that never comes. */
@@ -45,6 +51,10 @@ public enum Rule {
     GUARD_OVERLAP(Severity.NOTE),
     /** An event of the device that does nothing in a new state, though the device would act on it. */
     SWALLOWED_EVENT(Severity.NOTE),
+    /** The device can leave the device state of a new state by itself, where the new model draws nothing for it. */
+    DEVICE_LEAVES(Severity.NOTE),
+    /** A timer of a new state leads elsewhere than an event that the device may raise there by itself. */
+    TIMER_OR_DEVICE(Severity.NOTE),
     /** A path leads through a state of the device in which the device does something by itself. */
     PASSED_EFFECT(Severity.NOTE),
     /** A step of a plan may fail where the configured recovery, a way back or another path, does not exist. */

@@ -40,6 +40,27 @@ class CheckTest {
                         .toArray(String[]::new));
     }
 
+    /** The same pair, in which a new state has a device state, and its function sends events. */
+    private static CheckInput using(CheckInput input, String state, String device, String... sends) {
+        StateMachine evolved = input.pair().evolved();
+        if (!device.isEmpty()) {
+            evolved = evolved.withDeviceState(new State(state), device);
+        }
+        for (String event : sends) {
+            evolved = evolved.withSends(new State(state), new Event(event));
+        }
+        return CheckInput.of(new ModelPair(input.pair().original(), evolved)).withDevice(input.device());
+    }
+
+    /** A lamp that turns itself off, and a new state in which it is on. */
+    private static CheckInput warm(String... lines) {
+        String[] lamp = {"Off press -> On", "On press -> Off", "On own -> Off"};
+        String[] warm = Stream.of(lamp, new String[] {"On dim -> Warm", "Warm press -> Off"}, lines)
+                .flatMap(Stream::of)
+                .toArray(String[]::new);
+        return using(input(machine("original", lamp), warm).withOwnEvents(Set.of("own")), "Warm", "On");
+    }
+
     private static CheckInput robot() {
         return CheckInput.of(PaperModels.cleaningRobot())
                 .withOwnEvents(Set.of("endSpot"))
@@ -62,6 +83,30 @@ class CheckTest {
                                 "On press -> Off")),
                 arguments(Rule.CONDITION_2, input(detour, "On go -> Spot", "Spot stop -> On")),
                 arguments(Rule.INITIAL_DIFFERS, input(LAMP, "On press -> Off", "Off press -> On")),
+                arguments(Rule.DEVICE_STATE, using(lampWith("On dim -> Warm", "Warm press -> Off"), "Warm", "Onn")),
+                arguments(Rule.DEVICE_STATE, using(lampWith(), "Off", "On")),
+                arguments(
+                        Rule.DECLARED_SEND,
+                        using(lampWith("On dim -> Warm", "Warm press -> Off"), "Warm", "", "blink")),
+                arguments(
+                        Rule.DECLARED_SEND,
+                        using(lampWith("On dim -> Warm", "Warm press -> Off"), "Warm", "On", "press")),
+                arguments(
+                        Rule.DECLARED_SEND,
+                        using(
+                                input(
+                                        machine("original", "Off press -> On", "On press -> Off", "Off hold -> Off"),
+                                        "Off press -> On",
+                                        "On press -> Off",
+                                        "Off hold -> Off",
+                                        "On dim -> Warm",
+                                        "Warm press -> Off"),
+                                "Warm",
+                                "On",
+                                "hold")),
+                arguments(Rule.RESTLESS, lampWith("On tm(0s) -> Off", "Off tm(0s) -> On")),
+                arguments(Rule.DEVICE_LEAVES, warm()),
+                arguments(Rule.TIMER_OR_DEVICE, warm("Warm own -> Off", "Warm tm(2s) -> On")),
                 arguments(Rule.NONDETERMINISM, lampWith("On dim [hot] [full] -> Off", "On dim [full] [hot] -> On")),
                 arguments(Rule.NONDETERMINISM, lampWith("On tm(2s) -> Off", "On after 2 s -> On")),
                 arguments(Rule.UNREACHABLE_STATE, lampWith("Warm press -> Off")),
@@ -223,7 +268,7 @@ class CheckTest {
                 .isEqualTo(
                         "in (On, Move) event arriveSpot leads to Spot, but with the device in On no events that can be "
                                 + "sent take it there (sendable: Clean); the same holds for Clean in (Clean, SpotWait)");
-        assertThat(finding.remedy()).startsWith("let the converter send Spot, or ");
+        assertThat(finding.remedy()).isEqualTo("draw a new state with device state On and a transition on Spot");
         assertThat(finding.element()).hasToString("Move --arriveSpot--> Spot");
         assertThat(finding.example())
                 .map(turn -> turn + " -> " + turn.decision().after())

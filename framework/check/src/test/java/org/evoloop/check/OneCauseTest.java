@@ -94,7 +94,8 @@ class OneCauseTest {
                 .singleElement()
                 .satisfies(finding -> {
                     assertThat(finding.rule()).isEqualTo(Rule.NO_PATH);
-                    assertThat(finding.remedy()).startsWith("let the converter send wake, or ");
+                    assertThat(finding.remedy())
+                            .isEqualTo("draw a new state with device state Off and a transition on wake");
                     assertThat(finding.message()).contains("the same holds for b in (Off, Menu), c in (Off, Menu)");
                 });
     }

@@ -191,7 +191,7 @@ final class EvolveCommands {
         private static String value(String option, Deque<String> words) {
             String value = words.poll();
             if (value == null) {
-                throw new IllegalArgumentException(option + " needs a value; see help evolve");
+                throw new IllegalArgumentException(option + " needs a value after it");
             }
             return value;
         }

@@ -165,12 +165,12 @@ class EvolveCommandsTest {
                 .contains("models      'plain', which took over from 'new', on probation for 60 s or 3");
         assertThat(err.lines())
                 .containsExactly(
-                        "error: --within needs a value; see help evolve",
+                        "error: --within needs a value after it",
                         "error: --within takes a number from 0 to 86400, not 'soon'",
                         "error: evolve has no option --when-idel; did you mean --when-idle?",
                         "error: lamp.xml has no machine 'lamp.xml#plane'",
                         "error: rollback has no option --soon; it takes --within SECONDS",
-                        "error: --within needs a value; see help evolve",
+                        "error: --within needs a value after it",
                         "error: usage: evolve FILE#NAME [OPTION...]");
     }
 

@@ -55,4 +55,10 @@ record Books(
         failures.warn(cause.getMessage() + ". Until then controllers' events are refused and nothing is sent");
         listeners.failed(new Failure<>("journal", "write", 0, null, cause));
     }
+
+    /** The journal records them again. */
+    void journalWorks() {
+        failures.forget("journal");
+        failures.warn("the journal is written again");
+    }
 }

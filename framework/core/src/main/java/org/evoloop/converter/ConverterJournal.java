@@ -57,11 +57,12 @@ public interface ConverterJournal {
      * Starts recording the inputs of {@code core}.
      *
      * @param failed receives the cause when recording has stopped
+     * @param works called when it continues after that
      * @return receives the inputs from now on, and passes them to {@code core} once they are recorded. While recording
      *     is impossible, it refuses the events of controllers, and throws instead of announcing a step or an effect
      * @throws RuntimeException if it cannot be written; the message says why and what to do
      */
-    Inputs keep(Core core, Consumer<Exception> failed);
+    Inputs keep(Core core, Consumer<Exception> failed, Runnable works);
 
     /**
      * Called when other models are about to take over: writes in advance what can be written, so that the takeover need

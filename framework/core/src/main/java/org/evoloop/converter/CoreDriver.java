@@ -84,7 +84,8 @@ final class CoreDriver {
             core.recovered(clock.nanoTime());
         }
         this.journal = journal;
-        this.inputs = new ShadowedInputs(journal == null ? core : journal.keep(core, books::journalFailed));
+        this.inputs = new ShadowedInputs(
+                journal == null ? core : journal.keep(core, books::journalFailed, books::journalWorks));
     }
 
     /** Starts watching the models. */

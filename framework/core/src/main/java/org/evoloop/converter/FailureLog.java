@@ -90,6 +90,11 @@ final class FailureLog {
         }
     }
 
+    /** A part that had failed works again. */
+    synchronized void forget(String part) {
+        faults.remove(part);
+    }
+
     /** The parts that are not components and have failed, in the order of their first failures. */
     synchronized List<ConverterStatus.Fault> faults() {
         return new ArrayList<>(faults.values());

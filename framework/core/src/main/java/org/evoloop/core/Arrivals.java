@@ -199,7 +199,11 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
     }
 
     private boolean mayBegin(Pending pending) {
-        return outOfDate(pending).isEmpty() && !ledger.rules.isTooOld(pending, ledger.nowNanos);
+        // A visit that is over is followed by another before anything new has its turn.
+        boolean outlived = ledger.stay.isOver()
+                && pending.attempts() == 0
+                && ledger.stay.isCurrent(pending.occurrence().visit());
+        return !outlived && outOfDate(pending).isEmpty() && !ledger.rules.isTooOld(pending, ledger.nowNanos);
     }
 
     /** An interrupted plan goes on, unless it would send something for a press that has become too old meanwhile. */
@@ -259,7 +263,10 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
         String outOfDate = outOfDate(pending);
         if (!outOfDate.isEmpty()) {
             Outcome outcome = occurrence instanceof Occurrence.InDoubt ? Outcome.HANDLED : Outcome.STALE;
+            long visit = ledger.stay.number();
             ledger.ended(occurrence, ledger.place.at(), outcome, null, outOfDate);
+            // It may be what the end of the present visit has waited for.
+            ledger.start(visit, ledger.enterAgain(occurrence));
             return;
         }
         if (occurrence instanceof Occurrence.Heard heard && heard.source() == Source.TIMER) {

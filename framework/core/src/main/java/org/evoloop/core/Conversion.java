@@ -46,6 +46,10 @@ abstract sealed class Conversion extends Arrivals permits Core {
             return;
         }
         Pending pending = progress.pending();
+        if (!pending.isUrgent() && ledger.line.holdsFacts()) {
+            again(pending, "what the device did by itself is heard first");
+            return;
+        }
         ledger.out.decided(
                 pending, decision, ledger.nowNanos - pending.occurrence().observedNanos());
         if (decision.leavesState()) {
@@ -117,7 +121,7 @@ abstract sealed class Conversion extends Arrivals permits Core {
             String why = inOrder
                     ? "it is unknown what the device did on " + step.trigger() + ", since that is up to its guards"
                     : "it is unknown whether the device acted before or after it took " + step.trigger();
-            ledger.doubt(why, number, step, meanwhile);
+            ledger.doubt(why, number, step, meanwhile, null);
         } else {
             contradictIfImpossible(step.source(), step, meanwhile, inOrder);
         }
@@ -236,7 +240,10 @@ abstract sealed class Conversion extends Arrivals permits Core {
 
     /** The plan has been overtaken: the occurrence is decided again, before all others. */
     private void again(String why) {
-        Pending next = progress.pending().again();
+        again(progress.pending().again(), why);
+    }
+
+    private void again(Pending next, String why) {
         if (next.attempts() > MOST_ATTEMPTS || (!ledger.open && !next.hasHappened())) {
             conclude(next.number(), Outcome.FAILED, afterBroken(next, "overtaken: " + why));
         } else {
@@ -373,10 +380,11 @@ abstract sealed class Conversion extends Arrivals permits Core {
         }
         Step step = stepOnItsWay(number);
         List<Occurrence> meanwhile = progress.meanwhile();
+        Decision decision = progress.decision();
         breakOff(number, afterBroken(progress.pending(), reason));
         if (step != null) {
             String why = "it is unknown whether " + step.trigger() + " had its effect: " + reason;
-            ledger.doubt(why, number, step, meanwhile);
+            ledger.doubt(why, number, step, meanwhile, decision instanceof Decision.NewState ? decision : null);
         }
     }
 
@@ -427,7 +435,8 @@ abstract sealed class Conversion extends Arrivals permits Core {
             ledger.out.locate();
             return;
         }
-        if (ledger.place.doubt() == null) {
+        Doubt doubt = ledger.place.doubt();
+        if (doubt == null) {
             conclude(number, Outcome.HANDLED, FOUND_MEANWHILE);
         } else if (overtaken || state == null || !ledger.isDevicesState(state)) {
             State taken = ledger.place.at().original();
@@ -436,8 +445,36 @@ abstract sealed class Conversion extends Arrivals permits Core {
         } else {
             ledger.happensMeanwhile(new Occurrence.Found(state, ledger.nowNanos));
             ledger.settleDoubt();
-            isIn(state, number);
+            Decision interrupted = doubt.interrupted();
+            if (interrupted == null || !complete(interrupted, state)) {
+                isIn(state, number);
+            }
         }
+    }
+
+    /**
+     * Takes the transition whose plan was interrupted, if the new model has not moved since, and the device has come to
+     * where the plan leads; returns whether it has. Nothing is sent.
+     */
+    private boolean complete(Decision interrupted, State state) {
+        Configuration at = ledger.place.at();
+        Configuration after = interrupted.after().withOriginal(state);
+        if (!at.evolved().equals(interrupted.before().evolved())
+                || !ledger.rules.table().isWhereNeeded(after)) {
+            return false;
+        }
+        ledger.place.moveDevice(state, ledger.out);
+        if (interrupted.leavesState()) {
+            ledger.stay.leave(ledger.out);
+        }
+        progress.decide(new Decision.NewState(
+                at.withOriginal(state),
+                after,
+                List.of(),
+                Objects.requireNonNull(interrupted.transition()),
+                interrupted.effects()));
+        proceed();
+        return true;
     }
 
     /** The device has reported its state; both models follow if it differs from the record. */

@@ -56,7 +56,7 @@ public final class Core extends Conversion {
                 null,
                 0,
                 0,
-                new Snapshot.OpenVisit(visits, true, null, Map.of()),
+                new Snapshot.OpenVisit(visits, true, null, Map.of(), false),
                 List.of(),
                 false,
                 false,

@@ -1,6 +1,7 @@
 package org.evoloop.core;
 
 import java.util.List;
+import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 import org.jspecify.annotations.Nullable;
@@ -18,10 +19,18 @@ import org.jspecify.annotations.Nullable;
  * @param meanwhile what the device did by itself, or where it was found, since the step was about to be sent
  * @param settled whether the device has reported its state, so that the record is certain unless the step is reported
  *     to have had its effect after all
+ * @param interrupted the decision in whose plan it arose, if that leads to a new state which needs the device somewhere:
+ *     if the device is there, the transition is taken after all; null for any other
  * @since 0.1
  */
 public record Doubt(
-        String why, long number, @Nullable Step step, long stepsBefore, List<Occurrence> meanwhile, boolean settled) {
+        String why,
+        long number,
+        @Nullable Step step,
+        long stepsBefore,
+        List<Occurrence> meanwhile,
+        boolean settled,
+        @Nullable Decision interrupted) {
     static final long UNSETTLED = -1;
 
     /** No occurrence has this number. */
@@ -30,24 +39,24 @@ public record Doubt(
     /** The doubt after a report that contradicts the record; {@code last} may still be settled by what it is about. */
     static Doubt contradicted(@Nullable Doubt last, String why) {
         return last == null
-                ? new Doubt(why, NO_NUMBER, null, UNSETTLED, List.of(), false)
-                : new Doubt(why, last.number, last.step, UNSETTLED, last.meanwhile, false);
+                ? new Doubt(why, NO_NUMBER, null, UNSETTLED, List.of(), false, null)
+                : new Doubt(why, last.number, last.step, UNSETTLED, last.meanwhile, false, null);
     }
 
     Doubt acted(Occurrence fact) {
-        return new Doubt(why, number, step, stepsBefore, Overlap.add(meanwhile, fact), settled);
+        return new Doubt(why, number, step, stepsBefore, Overlap.add(meanwhile, fact), settled, interrupted);
     }
 
     Doubt settled(boolean nowSettled) {
-        return new Doubt(why, number, step, stepsBefore, meanwhile, nowSettled);
+        return new Doubt(why, number, step, stepsBefore, meanwhile, nowSettled, null);
     }
 
     /** The same doubt in terms of other models. */
     Doubt of(@Nullable Step sameStep, List<Occurrence> sameMeanwhile) {
-        return new Doubt(why, number, sameStep, stepsBefore, sameMeanwhile, settled);
+        return new Doubt(why, number, sameStep, stepsBefore, sameMeanwhile, settled, null);
     }
 
     Doubt later(long nanos) {
-        return new Doubt(why, number, step, stepsBefore, Reframed.later(meanwhile, nanos), settled);
+        return new Doubt(why, number, step, stepsBefore, Reframed.later(meanwhile, nanos), settled, interrupted);
     }
 }

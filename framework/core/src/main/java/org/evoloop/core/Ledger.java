@@ -28,7 +28,8 @@ final class Ledger {
     /**
      * Whether the new model has to follow the device once no fact waits any more, since facts alone do not lead it
      * there: some were lost, were decided only after a step, or are older than the device's own answer; a step had its
-     * effect after it was given up; or other models have taken over that do not have the two states together.
+     * effect after it was given up; other models have taken over that do not have the two states together; or something
+     * has ended with the device elsewhere than the new model's state needs it.
      */
     boolean followOwed;
 
@@ -66,7 +67,7 @@ final class Ledger {
                 place.lastDoubt(),
                 place.steps(),
                 place.lastStepNanos(),
-                new Snapshot.OpenVisit(stay.number(), stay.isOver(), stay.by(), stay.inOrder()),
+                stay.visit(),
                 line.waiting(),
                 line.isLosing(),
                 followOwed,
@@ -91,11 +92,17 @@ final class Ledger {
         nowNanos = Math.max(nowNanos, atNanos);
     }
 
+    /** Whether the device is where the new model's state needs it. */
+    private boolean isWhereNeeded() {
+        return rules.table().isWhereNeeded(place.at());
+    }
+
     // Outcomes
 
     void ended(
             Occurrence occurrence, Configuration before, Outcome outcome, @Nullable Decision decision, String detail) {
         counts.end(outcome);
+        followOwed |= !isWhereNeeded();
         out.ended(occurrence, before, place.at(), outcome, decision, detail);
     }
 
@@ -145,11 +152,12 @@ final class Ledger {
 
     /**
      * Enters the current state anew if its visit has ended without another state being entered; returns whether it has.
+     * Where the device is elsewhere than the state needs it, the new model follows instead.
      *
      * @param after the occurrence that has ended; after a takeover the timers keep their remaining time
      */
     boolean enterAgain(Occurrence after) {
-        boolean again = stay.isOver() && open && !line.isRetryNext() && !isSettling();
+        boolean again = stay.isOver() && open && !line.isRetryNext() && !isSettling() && isWhereNeeded();
         if (again && after instanceof Occurrence.Evolved) {
             enterAsLeft();
         } else if (again) {
@@ -159,10 +167,19 @@ final class Ledger {
     }
 
     /**
-     * Starts the function of the current state, if a visit other than {@code before} has begun and the state is new.
+     * Starts the function of the current state, if a visit other than {@code before} has begun and the state is new. If
+     * the state needs the device somewhere, it is started once the device is certainly there, and no fact waits.
      */
     void start(long before, boolean again) {
-        if (stay.number() != before && rules.table().isNew(place.at().evolved())) {
+        State state = place.at().evolved();
+        boolean begins = stay.number() != before && rules.table().isNew(state);
+        if (begins && !rules.table().needsDevice(state)) {
+            out.start(stay.number(), again);
+            return;
+        }
+        stay.oweStart(begins || stay.isStartOwed());
+        if (stay.isStartOwed() && isWhereNeeded() && place.doubt() == null && !line.holdsFacts()) {
+            stay.oweStart(false);
             out.start(stay.number(), again);
         }
     }
@@ -170,9 +187,9 @@ final class Ledger {
     // Doubt
 
     /** Puts the record in doubt; the device is asked before anything else begins. */
-    void doubt(String why, long number, Step step, List<Occurrence> meanwhile) {
+    void doubt(String why, long number, Step step, List<Occurrence> meanwhile, @Nullable Decision interrupted) {
         long before = place.lastDoubt() == null ? place.steps() : Doubt.UNSETTLED;
-        place.doubt(new Doubt(why, number, step, before, meanwhile, false));
+        place.doubt(new Doubt(why, number, step, before, meanwhile, false, interrupted));
         out.doubted(why);
         ask();
     }

@@ -9,7 +9,8 @@ import org.evoloop.evolution.Occurrence;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The queue of occurrences, first come first served, and their counts.
+ * The queue of occurrences and their counts. What the device did by itself is heard before any request, and a recovery
+ * from a failed plan comes before that; apart from this, first come first served.
  *
  * <p>Only events of controllers take up its capacity; when it is used up, further ones are lost. Facts, and events that
  * a timer or a function raises, have places of their own, {@value #MOST_FACTS} more. Events that the present state defers
@@ -27,6 +28,9 @@ final class Line {
     /** How many of those that wait may be lost. */
     private int losable;
 
+    /** How many of those that wait are facts, or about one. */
+    private int facts;
+
     /** Whether anything has been lost since there was last room. */
     private boolean losing;
 
@@ -38,8 +42,7 @@ final class Line {
     }
 
     void restore(Snapshot snapshot) {
-        waiting.clear();
-        losable = 0;
+        clear();
         snapshot.waiting().forEach(pending -> {
             waiting.add(pending);
             countIn(pending);
@@ -47,15 +50,25 @@ final class Line {
         losing = snapshot.losing();
     }
 
+    private void clear() {
+        waiting.clear();
+        losable = 0;
+        facts = 0;
+    }
+
     private void countIn(Pending pending) {
-        if (pending.mayBeLost()) {
-            losable++;
-        }
+        count(pending, 1);
     }
 
     private void countOut(Pending pending) {
-        if (pending.mayBeLost()) {
-            losable--;
+        count(pending, -1);
+    }
+
+    private void count(Pending pending, int by) {
+        if (pending.hasHappened()) {
+            facts += by;
+        } else if (pending.mayBeLost()) {
+            losable += by;
         }
     }
 
@@ -111,7 +124,7 @@ final class Line {
 
     /** Puts one that has begun back, before all others but a question to the device, which has to be asked first. */
     void putBack(Pending pending) {
-        Pending question = holdsDoubt() ? waiting.poll() : null;
+        Pending question = holdsDoubt() ? next() : null;
         addFirst(pending);
         if (question != null) {
             addFirst(question);
@@ -140,11 +153,17 @@ final class Line {
     @Nullable
     Pending first(Predicate<Pending> of) {
         Pending head = waiting.peek();
-        if (head == null || (!deferred.test(head) && of.test(head))) {
+        boolean urgent = facts > 0;
+        if (head == null || ((!urgent || head.isUrgent()) && !deferred.test(head) && of.test(head))) {
             return head;
         }
+        Pending fact = urgent ? first(Pending::isUrgent, of) : null;
+        return fact == null ? first(pending -> true, of) : fact;
+    }
+
+    private @Nullable Pending first(Predicate<Pending> among, Predicate<Pending> of) {
         for (Pending pending : waiting) {
-            if (!deferred.test(pending) && of.test(pending)) {
+            if (among.test(pending) && !deferred.test(pending) && of.test(pending)) {
                 return pending;
             }
         }
@@ -177,12 +196,7 @@ final class Line {
 
     /** Whether any fact waits. */
     boolean holdsFacts() {
-        for (Pending pending : waiting) {
-            if (pending.hasHappened()) {
-                return true;
-            }
-        }
-        return false;
+        return facts > 0;
     }
 
     /** Whether other models have taken over, and the device has yet to be sent to where the new model is. */
@@ -207,8 +221,7 @@ final class Line {
     /** @param another returns the replacement of each; null to remove it */
     void replace(Function<Pending, @Nullable Pending> another) {
         List<Pending> all = waiting();
-        waiting.clear();
-        losable = 0;
+        clear();
         for (Pending pending : all) {
             Pending next = another.apply(pending);
             if (next != null) {

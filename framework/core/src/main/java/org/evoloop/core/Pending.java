@@ -44,6 +44,11 @@ public record Pending(
         return from != null || occurrence.isFact();
     }
 
+    /** Whether it has its turn before what is only asked for: a fact, or the recovery from a plan that has failed. */
+    boolean isUrgent() {
+        return hasHappened() || broken != null;
+    }
+
     /** Whether it is lost when the queue is full: an event of a controller. */
     boolean mayBeLost() {
         return !hasHappened() && occurrence.source().isButton();

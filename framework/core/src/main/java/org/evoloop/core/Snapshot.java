@@ -50,9 +50,16 @@ public record Snapshot(
      * @param over whether it has ended, so that another must begin
      * @param by the transition that led into the state; null if none did
      * @param deadlines when its timers are due, without those that have fired
+     * @param startOwed whether its function has yet to be started, once the device is known to be where the state needs it
      */
     public record OpenVisit(
-            long number, boolean over, @Nullable Transition by, Map<Event, Long> deadlines) {}
+            long number, boolean over, @Nullable Transition by, Map<Event, Long> deadlines, boolean startOwed) {
+
+        /** A copy with other deadlines. */
+        public OpenVisit withDeadlines(Map<Event, Long> others) {
+            return new OpenVisit(number, over, by, others, startOwed);
+        }
+    }
 
     /** A copy in which the occurrence that came last has its turn first. */
     public Snapshot lastFirst() {
@@ -83,7 +90,7 @@ public record Snapshot(
                 doubt == null ? null : doubt.later(nanos),
                 steps,
                 lastStepNanos + nanos,
-                new OpenVisit(visit.number(), visit.over(), visit.by(), deadlines),
+                visit.withDeadlines(deadlines),
                 waiting.stream().map(pending -> pending.later(nanos)).toList(),
                 losing,
                 followOwed,

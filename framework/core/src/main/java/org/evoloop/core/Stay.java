@@ -17,6 +17,7 @@ final class Stay {
     private long number;
     private boolean over;
     private @Nullable Transition by;
+    private boolean startOwed;
 
     /** Without timers that have fired. */
     private final Map<Event, Long> deadlines = new LinkedHashMap<>();
@@ -29,6 +30,7 @@ final class Stay {
         number = visit.number();
         over = visit.over();
         by = visit.by();
+        startOwed = visit.startOwed();
         deadlines.clear();
         deadlines.putAll(visit.deadlines());
     }
@@ -52,10 +54,24 @@ final class Stay {
     }
 
     void leave(Outputs out) {
+        startOwed = false;
         if (!over) {
             over = true;
             out.leave();
         }
+    }
+
+    Snapshot.OpenVisit visit() {
+        return new Snapshot.OpenVisit(number, over, by, inOrder(), startOwed);
+    }
+
+    /** Whether the function of this visit has yet to be started. */
+    boolean isStartOwed() {
+        return startOwed;
+    }
+
+    void oweStart(boolean owed) {
+        startOwed = owed;
     }
 
     /**

@@ -95,12 +95,18 @@ public sealed interface Decision {
         }
     }
 
-    /** The next state is new: its function starts here, and nothing is sent. */
+    /**
+     * The next state is new: its function starts here. Nothing is sent, unless the state needs the device elsewhere: then
+     * the steps take it there first.
+     */
     record NewState(
             Configuration before, Configuration after, List<Step> steps, Transition transition, List<String> effects)
             implements Decision {}
 
-    /** The device was found in another state than its model was; both models follow, and nothing is sent. */
+    /**
+     * The device was found in another state than its model was, or has left the state in which the new model needs it,
+     * and the new model has no transition for that; both models follow, and nothing is sent.
+     */
     record Resynchronization(Configuration before, Configuration after, List<Step> steps) implements Decision {
         Resynchronization(Configuration before, Configuration after) {
             this(before, after, List.of());

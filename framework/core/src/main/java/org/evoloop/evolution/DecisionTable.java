@@ -47,11 +47,9 @@ public final class DecisionTable {
 
     private int explored;
 
-    /** How many were reached by expected events. */
-    private int expected;
-
     private final Map<Event, Integer> numbers = new HashMap<>();
     private final Map<String, Integer> numbersByName = new HashMap<>();
+    private final Company company;
     private final DecisionCells asked;
     private final DecisionCells acted;
     private final List<Decision> ignored = new ArrayList<>();
@@ -65,6 +63,7 @@ public final class DecisionTable {
         this.names = EventNames.of(pair);
         this.originalGuards = new GuardedTriggers(pair.original());
         this.evolvedGuards = new GuardedTriggers(pair.evolved());
+        this.company = new Company(pair, conversion, situations, reached);
         this.turns = new Turns(pair, this.device, conversion, originalGuards, evolvedGuards);
         pair.evolved().events().forEach(this::giveNumber);
         pair.original().events().forEach(this::giveNumber);
@@ -88,8 +87,9 @@ public final class DecisionTable {
                 requireNonNull(pair, "the models are null"), requireNonNull(device, "the device's events are null"));
         table.reach(pair.initial());
         table.explore(false, table.problems);
-        table.expected = table.reached.size();
-        for (int situation = 0; situation < table.expected; situation++) {
+        int expected = table.reached.size();
+        table.company.reachesByExpectedEvents(expected);
+        for (int situation = 0; situation < expected; situation++) {
             table.follow(situation, table.interference(table.reached.get(situation), situation), table.hazards);
         }
         table.explore(true, table.hazards);
@@ -128,14 +128,17 @@ public final class DecisionTable {
                 }
             } else {
                 int next = reach(turn.decision().after());
-                if (!turn.deviceActed()) {
+                if (!turn.deviceActed() && !turn.isSent()) {
                     asked.lead(situation, number(turn.event()), next);
                 }
             }
         }
     }
 
-    /** The expected turns in {@code at}: events that the new model accepts, and what the device does by itself. */
+    /**
+     * The expected turns in {@code at}: events that the new model accepts, what the device does by itself, and what the
+     * function of the state may send.
+     */
     public List<Turn> expected(Configuration at) {
         return expected(at, situation(at));
     }
@@ -282,18 +285,17 @@ public final class DecisionTable {
         return conversion.react(at, event, own, follow);
     }
 
-    /** The decision for {@code trigger} that a new function sends to the device. */
+    /**
+     * The decision for {@code trigger} that a new function sends to the device. {@link Decision.Impossible} also where it
+     * would take the device out of the state's device state, and where a state that has one, or that says what it sends,
+     * does not say that it sends this.
+     */
     public Decision ask(Configuration at, Event trigger, Predicate<String> holds) {
         Event event = originalGuards.resolve(at.original(), trigger, holds);
         Transition taken = event == null ? null : conversion.originalTransition(at.original(), event);
-        if (taken == null || !device.sendable().contains(trigger)) {
-            String why = taken == null
-                    ? "the device has no transition for it in " + at.original()
-                    : "no execute " + "component can send it";
-            return new Decision.Impossible(at, at, List.of(), null, "a function asks for " + trigger + ", but " + why);
-        }
-        boolean conditional = !originalGuards.conditionsOf(taken).isEmpty();
-        return new Decision.Sending(at, at.withOriginal(taken.target()), List.of(new Step(taken, false, conditional)));
+        return taken == null
+                ? conversion.notSent(at, trigger, "the device has no transition for it in " + at.original())
+                : conversion.send(at, taken, !originalGuards.conditionsOf(taken).isEmpty());
     }
 
     /** Whether only the device itself can take {@code trigger}. */
@@ -382,39 +384,37 @@ public final class DecisionTable {
     /**
      * The decision after the device was found in {@code original}: the new model stays where it is if the two states
      * are a reachable pair, also by the device's interference, or if the device is where the record has it, and both
-     * states differ at most in the history that each model remembers; else it follows the device. Of several states
-     * that differ only in the new model's history, it enters the first that forms a reachable pair with the device's.
+     * states differ at most in the history that each model remembers; else it follows the device. A new state that
+     * needs the device somewhere is kept exactly if the device is there. Of several states that differ only in the new
+     * model's history, it enters the first that forms a reachable pair with the device's.
      *
      * @param original a state of the original model
      */
     public Decision.Resynchronization find(Configuration at, State original) {
-        Configuration kept = at.withOriginal(original);
-        boolean stays = original.equals(at.original()) ? isFollowed(at) : situations.containsKey(kept);
-        return new Decision.Resynchronization(at, stays ? kept : followed(original));
+        return company.find(at, original);
     }
 
     /** Whether the new model stays where it is if the device is found in its state. */
     public boolean isFollowed(Configuration at) {
-        return situations.containsKey(at)
-                || pair.deviceStates(at.evolved()).contains(at.original())
-                || followed(at.original()).equals(at);
+        return company.isFollowed(at);
     }
 
-    private Configuration followed(State original) {
-        List<State> same = pair.evolvedStates(original);
-        for (State state : same) {
-            Configuration together = new Configuration(original, state);
-            if (situations.containsKey(together)) {
-                return together;
-            }
-        }
-        return new Configuration(original, same.isEmpty() ? original : same.get(0));
+    /** Whether {@code state} is a new one that needs the device in a certain state. */
+    public boolean needsDevice(State state) {
+        return conversion.needsDevice(state);
     }
 
-    /** Whether the states are a reachable pair: expected events can lead there. */
+    /** Whether the device is where the new model's state needs it: always, unless that state has a device state. */
+    public boolean isWhereNeeded(Configuration at) {
+        return conversion.isWhereNeeded(at);
+    }
+
+    /**
+     * Whether the states are a reachable pair: expected events can lead there. In a new state with a device state,
+     * whether the device is there.
+     */
     public boolean standsTogether(Configuration at) {
-        int situation = situation(at);
-        return situation >= 0 && situation < expected;
+        return company.standsTogether(at);
     }
 
     /**
@@ -423,7 +423,7 @@ public final class DecisionTable {
      * Decision.Sending} or {@link Decision.Impossible}.
      */
     public synchronized Decision settle(Configuration at) {
-        return conversion.settle(at, standsTogether(at) ? List.of(at.original()) : companions(at.evolved()));
+        return conversion.settle(at, standsTogether(at) ? List.of(at.original()) : company.of(at.evolved()));
     }
 
     /**
@@ -434,17 +434,6 @@ public final class DecisionTable {
      */
     public synchronized Decision afterFailure(Decision usual, Configuration at, BrokenPlan broken) {
         return conversion.afterFailure(usual, at, broken);
-    }
-
-    /** The device's states for {@code evolved}: its own, or for a new state all that are reachable with it. */
-    private List<State> companions(State evolved) {
-        List<State> same = pair.deviceStates(evolved);
-        return !same.isEmpty()
-                ? same
-                : reached.subList(0, expected).stream()
-                        .filter(at -> at.evolved().equals(evolved))
-                        .map(Configuration::original)
-                        .toList();
     }
 
     /** Every reachable configuration, in the order of exploration. */

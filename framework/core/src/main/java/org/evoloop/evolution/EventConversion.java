@@ -45,27 +45,35 @@ final class EventConversion {
     }
 
     /**
-     * What a state of the new model corresponds to in the device.
+     * What a state of the new model means for the device.
      *
+     * @param isNew whether only the new model has it
      * @param first the first of {@code goals}, and most often the only one, so that the list need not be examined; null
-     *     for a new state
-     * @param goals the corresponding states of the device; none for a new state
+     *     if there is none
+     * @param goals where the device must be; none if it may be anywhere
      * @param together the configuration once the device is in the first goal: most decisions end in it, and one shared
-     *     object is looked up faster than equal ones; null for a new state
+     *     object is looked up faster than equal ones; null if there is no goal
      */
     private record Target(
             State state,
+            boolean isNew,
             @Nullable State first,
             List<State> goals,
             @Nullable Configuration together) {
         static Target of(State state, ModelPair pair) {
-            List<State> goals = pair.deviceStates(state);
+            List<State> goals = pair.whereDeviceMustBe(state);
             State first = goals.isEmpty() ? null : goals.get(0);
-            return new Target(state, first, goals, first == null ? null : new Configuration(first, state));
+            return new Target(
+                    state, pair.isNew(state), first, goals, first == null ? null : new Configuration(first, state));
         }
 
-        boolean isNew() {
+        boolean isAnywhere() {
             return first == null;
+        }
+
+        /** Whether it is a new state that needs the device somewhere. */
+        boolean needsDevice() {
+            return isNew && first != null;
         }
 
         boolean hasGoal(State original) {
@@ -84,7 +92,18 @@ final class EventConversion {
 
     private Target target(State state) {
         Target known = targets.get(state);
-        return known == null ? new Target(state, null, List.of(), null) : known;
+        return known == null ? new Target(state, true, null, List.of(), null) : known;
+    }
+
+    /** See {@link DecisionTable#needsDevice}. */
+    boolean needsDevice(State state) {
+        return target(state).needsDevice();
+    }
+
+    /** See {@link DecisionTable#isWhereNeeded}. */
+    boolean isWhereNeeded(Configuration at) {
+        Target present = target(at.evolved());
+        return !present.needsDevice() || present.hasGoal(at.original());
     }
 
     /**
@@ -122,7 +141,10 @@ final class EventConversion {
         State original = own == null ? before.original() : own.target();
 
         if (transition == null) {
-            return new Decision.NotAcceptable(before, before.withOriginal(original), steps);
+            Configuration after = before.withOriginal(original);
+            return steps.isEmpty() || isWhereNeeded(after)
+                    ? new Decision.NotAcceptable(before, after, steps)
+                    : new Decision.Resynchronization(before, followed(original), steps);
         }
         if (!taken && isUnsendable(event.trigger())) {
             return new Decision.Impossible(
@@ -134,7 +156,7 @@ final class EventConversion {
                             + " is the device's, but can neither be sent nor is it declared to be the device's own");
         }
         Target target = target(transition.target());
-        if (target.isNew()) {
+        if (target.isAnywhere()) {
             return new Decision.NewState(
                     before, target.with(original), steps, transition, effectsLeft(transition, steps));
         }
@@ -142,20 +164,30 @@ final class EventConversion {
                 taken ? planner.shortestPath(original, target.goals()) : wayFor(original, same, target);
         if (way.isEmpty()) {
             return new Decision.Impossible(
-                    before,
-                    before.withOriginal(original),
-                    steps,
-                    transition,
-                    noWay("event " + event + " leads to " + target.state(), original));
+                    before, before.withOriginal(original), steps, transition, noWay(wanted(event, target), original));
         }
-        return existing(before, steps, steps, way.get(), transition, target);
+        return reaching(before, steps, steps, way.get(), transition, target);
+    }
+
+    /** The device has left the device state, and the new model has no transition for that: it follows. */
+    private Configuration followed(State original) {
+        return new Configuration(original, pair.evolvedStates(original).get(0));
+    }
+
+    private static String wanted(Event event, Target target) {
+        String leads = "event " + event + " leads to " + target.state();
+        return target.isNew() ? leads + ", where the device must be in " + where(target) : leads;
+    }
+
+    private static String where(Target target) {
+        return String.join(" or ", target.goals().stream().map(State::name).toList());
     }
 
     /**
      * @param steps the device's own steps of this decision, which precede the path
      * @param done all steps that the device took on the event by itself, whose effects need not be run
      */
-    private static Decision existing(
+    private static Decision reaching(
             Configuration before,
             List<Step> steps,
             List<Step> done,
@@ -165,8 +197,10 @@ final class EventConversion {
         List<Step> all = joined(steps, way);
         State reached =
                 all.isEmpty() ? before.original() : all.get(all.size() - 1).target();
-        return new Decision.ExistingState(
-                before, target.with(reached), all, transition, effectsLeft(transition, joined(done, way)));
+        List<String> effects = effectsLeft(transition, joined(done, way));
+        return target.isNew()
+                ? new Decision.NewState(before, target.with(reached), all, transition, effects)
+                : new Decision.ExistingState(before, target.with(reached), all, transition, effects);
     }
 
     /** See {@link DecisionTable#react}. */
@@ -177,22 +211,41 @@ final class EventConversion {
         }
         Target target = target(transition.target());
         List<Step> done = own == null ? List.of() : List.of(own);
-        if (target.isNew()) {
+        if (target.isAnywhere()) {
             return new Decision.NewState(
                     at, target.with(at.original()), List.of(), transition, effectsLeft(transition, done));
         }
         if (follow && own != null && target.hasGoal(own.target())) {
-            return existing(at, List.of(), done, List.of(), transition, target);
+            return reaching(at, List.of(), done, List.of(), transition, target);
         }
         List<Step> way = planner.shortestPath(at.original(), target.goals()).orElse(null);
         return way == null
-                ? new Decision.Impossible(
+                ? new Decision.Impossible(at, at, List.of(), transition, noWay(wanted(event, target), at.original()))
+                : reaching(at, List.of(), done, way, transition, target);
+    }
+
+    /** The new model's function has the device take {@code taken}. */
+    Decision send(Configuration at, Transition taken, boolean conditional) {
+        Configuration after = at.withOriginal(taken.target());
+        Event trigger = taken.event().trigger();
+        if (!device.sendable().contains(trigger)) {
+            return notSent(at, trigger, "no execute component can send it");
+        }
+        Set<Event> declared = pair.evolved().sends(at.evolved());
+        if ((needsDevice(at.evolved()) || !declared.isEmpty()) && !declared.contains(trigger)) {
+            return notSent(at, trigger, "state " + at.evolved() + " does not say so; draw it there: sends " + trigger);
+        }
+        return isWhereNeeded(after)
+                ? new Decision.Sending(at, after, List.of(new Step(taken, false, conditional)))
+                : notSent(
                         at,
-                        at,
-                        List.of(),
-                        transition,
-                        noWay("event " + event + " leads to " + target.state(), at.original()))
-                : existing(at, List.of(), done, way, transition, target);
+                        trigger,
+                        "it takes the device to " + taken.target() + ", and " + at.evolved() + " needs it in "
+                                + where(target(at.evolved())) + "; draw another new state for that");
+    }
+
+    Decision notSent(Configuration at, Event trigger, String why) {
+        return new Decision.Impossible(at, at, List.of(), null, "a function asks for " + trigger + ", but " + why);
     }
 
     /** See {@link DecisionTable#settle}. */
@@ -212,23 +265,22 @@ final class EventConversion {
         if (broken.then() == OnFailure.GO_BACK) {
             return goBack(at, broken, others);
         }
-        if (!(usual instanceof Decision.ExistingState existing)
-                || broken.failed().stream().noneMatch(usual.steps()::contains)) {
+        Transition transition = usual.transition();
+        if (transition == null || broken.failed().stream().noneMatch(usual.steps()::contains)) {
             return usual;
         }
-        List<Step> own = existing.steps().stream().filter(Step::byDevice).toList();
-        Target target = target(existing.transition().target());
+        List<Step> own = usual.steps().stream().filter(Step::byDevice).toList();
+        Target target = target(transition.target());
         List<Step> way =
-                others.shortestPath(existing.deviceStart(), target.goals()).orElse(null);
+                others.shortestPath(usual.deviceStart(), target.goals()).orElse(null);
         return way == null
                 ? new Decision.Impossible(
-                        existing.before(),
-                        existing.start(),
+                        usual.before(),
+                        usual.start(),
                         own,
-                        existing.transition(),
-                        broken.reason() + "; no other way leads from " + existing.deviceStart() + " to "
-                                + target.state())
-                : existing(existing.before(), own, own, way, existing.transition(), target);
+                        transition,
+                        broken.reason() + "; no other way leads from " + usual.deviceStart() + " to " + target.state())
+                : reaching(usual.before(), own, own, way, transition, target);
     }
 
     /** Whether or not the device gets back, the event has failed. */

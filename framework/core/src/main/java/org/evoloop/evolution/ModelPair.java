@@ -1,10 +1,14 @@
 package org.evoloop.evolution;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 
@@ -20,7 +24,8 @@ import org.evoloop.statemachine.StateMachine;
  */
 public record ModelPair(StateMachine original, StateMachine evolved) {
     /**
-     * Gives states that are drawn in the same place the same name, whatever other states their machines have.
+     * Gives states that are drawn in the same place the same name, whatever other states their machines have. Device
+     * states that are named follow them.
      *
      * @throws NullPointerException if one of them is null; the message says which
      */
@@ -62,7 +67,8 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
     /**
      * Refuses a pair that is not an evolution.
      *
-     * @throws ModelException naming every violation of Conditions 1 and 2, and both initial states if they differ
+     * @throws ModelException naming every violation of Conditions 1 and 2, and both initial states if they differ; or every
+     *     device state that cannot be
      */
     public void requireValid() {
         List<String> problems = new ArrayList<>();
@@ -76,6 +82,11 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
             throw new ModelException("the models '" + original.name() + "' and '" + evolved.name()
                     + "' are not an evolution: " + String.join("; ", problems)
                     + ". The new model must keep every state and event of the device; names are case-sensitive");
+        }
+        List<DeviceStateProblem> deviceStates = deviceStateProblems();
+        if (!deviceStates.isEmpty()) {
+            throw new ModelException("the new model '" + evolved.name() + "': "
+                    + deviceStates.stream().map(DeviceStateProblem::toString).collect(Collectors.joining("; ")));
         }
     }
 
@@ -100,6 +111,72 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
     public List<State> evolvedStates(State state) {
         List<State> same = evolved.alike(state);
         return same.isEmpty() ? evolved.alike(original.withoutMemory(state)) : same;
+    }
+
+    /**
+     * Where the device must be in {@code state} of the new model: the {@linkplain #deviceStates corresponding} states,
+     * or for a new state with a {@linkplain StateMachine#deviceState device state} those that it names. Empty if the
+     * device may be anywhere.
+     */
+    public List<State> whereDeviceMustBe(State state) {
+        List<State> own = deviceStates(state);
+        String named = own.isEmpty() ? evolved.deviceState(state) : null;
+        return named == null ? own : named(named);
+    }
+
+    /** The original's states of this name; if there is none, those drawn at this path or inside it. */
+    private List<State> named(String nameOrPath) {
+        List<State> same = original.alike(new State(nameOrPath));
+        return same.isEmpty()
+                ? original.states().stream()
+                        .filter(state -> original.paths(state).stream()
+                                .anyMatch(path -> path.equals(nameOrPath) || path.startsWith(nameOrPath + '.')))
+                        .toList()
+                : same;
+    }
+
+    /**
+     * A device state that cannot be.
+     *
+     * @param state the state of the new model
+     * @param message what is wrong
+     * @param remedy how to fix it
+     */
+    public record DeviceStateProblem(State state, String message, String remedy) {
+        /** For messages: both. */
+        @Override
+        public String toString() {
+            return message + "; " + remedy;
+        }
+    }
+
+    /**
+     * What is wrong with the device states of the new model; empty if nothing is. One that several states share, such as
+     * those of a composite state, is reported for the first of them.
+     */
+    public List<DeviceStateProblem> deviceStateProblems() {
+        List<DeviceStateProblem> problems = new ArrayList<>();
+        Set<Object> reported = new HashSet<>();
+        for (State state : evolved.states()) {
+            String device = evolved.deviceState(state);
+            if (device == null) {
+                continue;
+            }
+            State plain = evolved.withoutMemory(state);
+            if (isNew(state) && named(device).isEmpty() && reported.add(device)) {
+                problems.add(new DeviceStateProblem(
+                        state,
+                        "the device state of " + plain + ", " + Names.shown(device)
+                                + ", is not a state of the original model",
+                        Names.hint(device, original.states()).substring(2)));
+            } else if (!isNew(state) && !evolved.inheritsDeviceState(state) && reported.add(plain)) {
+                problems.add(new DeviceStateProblem(
+                        state,
+                        "the device has state " + plain + " itself, so it can have no other device state",
+                        "remove " + Names.shown(device)));
+            }
+        }
+        return problems;
     }
 
     /** Whether only the new model has {@code state}: a function that the converter runs. */

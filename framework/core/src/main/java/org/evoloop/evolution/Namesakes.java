@@ -74,6 +74,14 @@ final class Namesakes {
     }
 
     StateMachine evolved() {
-        return evolvedNames.isEmpty() ? evolved : evolved.withStateNames(evolvedNames);
+        StateMachine renamed = evolvedNames.isEmpty() ? evolved : evolved.withStateNames(evolvedNames);
+        for (State state : renamed.states()) {
+            String device = renamed.deviceState(state);
+            String same = device == null ? null : originalNames.get(new State(device));
+            if (same != null) {
+                renamed = renamed.withDeviceState(state, same);
+            }
+        }
+        return renamed;
     }
 }

@@ -13,9 +13,14 @@ import org.evoloop.statemachine.Event;
  */
 public record Turn(Event event, boolean deviceActed, Decision decision) {
 
+    /** Whether the function of the new model's state sends the event; the new model stays where it is. */
+    public boolean isSent() {
+        return decision instanceof Decision.Sending;
+    }
+
     /** For messages: {@code Clean (the device acted)}. */
     @Override
     public String toString() {
-        return event + (deviceActed ? " (the device acted)" : "");
+        return event + (deviceActed ? " (the device acted)" : isSent() ? " (sent by the function)" : "");
     }
 }

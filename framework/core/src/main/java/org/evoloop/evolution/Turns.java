@@ -2,6 +2,7 @@ package org.evoloop.evolution;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.Transition;
 
@@ -39,7 +40,7 @@ final class Turns {
         Decision decide(Event event, boolean deviceActed);
     }
 
-    /** Events that the new model accepts, and what the device does by itself. */
+    /** Events that the new model accepts, what the device does by itself, and what the state's function may send. */
     List<Turn> expected(Configuration at, Decider decider) {
         List<Turn> turns = new ArrayList<>();
         for (Transition transition : pair.evolved().transitionsFrom(at.evolved())) {
@@ -52,7 +53,23 @@ final class Turns {
                 turns.add(turn(transition.event(), false, decider));
             }
         }
+        Set<Event> sent = pair.evolved().sends(at.evolved());
+        if (!sent.isEmpty()) {
+            addSent(turns, at, sent);
+        }
         return turns;
+    }
+
+    private void addSent(List<Turn> turns, Configuration at, Set<Event> sent) {
+        for (Transition transition : pair.original().transitionsFrom(at.original())) {
+            if (sent.contains(transition.event().trigger()) && originalGuards.shadowOf(transition) == null) {
+                boolean conditional = !originalGuards.conditionsOf(transition).isEmpty();
+                Turn turn = new Turn(transition.event(), false, conversion.send(at, transition, conditional));
+                if (turn.isSent()) {
+                    turns.add(turn);
+                }
+            }
+        }
     }
 
     /** What the device does by itself although it could have been sent to it. */

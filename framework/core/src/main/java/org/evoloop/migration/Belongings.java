@@ -35,7 +35,8 @@ final class Belongings {
     /**
      * The fates: timers first, those of {@code from} before those that only {@code to} has.
      *
-     * @param atOnce whether nothing has to be sent before {@code to} begins; else no function runs meanwhile
+     * @param atOnce whether nothing has to be sent before {@code to} begins; else no function runs meanwhile, and a timer
+     *     of a state that needs the device somewhere does not keep the time before the device was there
      */
     List<Carried> carried(State from, State to, boolean atOnce) {
         List<Carried> all = new ArrayList<>();
@@ -44,7 +45,8 @@ final class Belongings {
             Mapping.TimerOf key = new Mapping.TimerOf(plain(from), timer);
             String becomes = mapping.timers().getOrDefault(key, timer);
             boolean continues = begun.remove(becomes);
-            How how = !continues ? How.ENDED : mapping.restartedTimers().contains(key) ? How.RESTARTED : How.KEPT;
+            boolean anew = mapping.restartedTimers().contains(key) || (!atOnce && next.needsDevice(to));
+            How how = !continues ? How.ENDED : anew ? How.RESTARTED : How.KEPT;
             all.add(new Carried(Part.TIMER, timer, continues ? becomes : timer, how));
         }
         begun.forEach(timer -> all.add(new Carried(Part.TIMER, timer, timer, How.STARTED)));

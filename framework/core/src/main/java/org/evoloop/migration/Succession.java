@@ -69,10 +69,12 @@ public final class Succession {
     /**
      * Where a pair of states ends to which no expected event leads. If someone has operated the device, and the next
      * models do not know the two states together, the new model follows. If a plan has failed, or facts wait that the
-     * new model has yet to follow, they remain as they are.
+     * new model has yet to follow, they remain as they are, unless the state needs the device elsewhere.
      */
     private Configuration end(Configuration at, Configuration there) {
-        return running.isFollowed(at) ? next.find(there, there.original()).after() : there;
+        return running.isFollowed(at) || !next.isWhereNeeded(there)
+                ? next.find(there, there.original()).after()
+                : there;
     }
 
     /** The successor of {@code state} of the running original model; null if it has none. */

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.evoloop.core.Core;
+import org.evoloop.core.Doubt;
 import org.evoloop.core.Input;
 import org.evoloop.core.Outcome;
 import org.evoloop.core.Outputs;
@@ -98,7 +99,7 @@ public final class Comparison {
             }
         }
         Rehearsal other = new Rehearsal(rules, from, this::recordedOf, this::otherEnded);
-        beside = new Beside(recorded, other);
+        beside = new Beside(recorded, other, from.doubt());
     }
 
     /** Whether the other models have begun. */
@@ -240,9 +241,12 @@ public final class Comparison {
 
         private long othersDoubted;
 
-        Beside(Core recorded, Rehearsal other) {
+        /** @param doubt the doubt in which the other models begin, about a step of the converter's; null for none */
+        Beside(Core recorded, Rehearsal other, @Nullable Doubt doubt) {
             this.recorded = recorded;
             this.other = other;
+            this.doubted = doubt == null ? 0 : doubt.number();
+            this.othersDoubted = doubted;
             converter.follow(recorded);
             converter.look();
             this.earlier = Earlier.of(recorded, converter);
@@ -257,15 +261,15 @@ public final class Comparison {
         void took(Input input) {
             long at = recorded.nowNanos();
             fire(at);
-            long others = inStep ? numberOf(other.begun()) : 0;
+            long others = inStep ? Plans.numberOf(other.begun()) : 0;
             give(input, others, at);
             other.isAt(at);
             if (converter.isInDoubtAnew() && earlier.number() > 0 && isAbout(input, earlier.number())) {
                 doubted = others == 0 ? 0 : earlier.number();
                 othersDoubted = others;
             }
-            inStep &= numberOf(converter.begun()) > 0
-                    && Objects.equals(pairs.others(numberOf(converter.begun())), numberOf(other.begun()))
+            inStep &= Plans.numberOf(converter.begun()) > 0
+                    && Objects.equals(pairs.others(Plans.numberOf(converter.begun())), Plans.numberOf(other.begun()))
                     && recorded.isBusy()
                     && other.core.isBusy();
             List<Over> ended = List.copyOf(over);
@@ -276,10 +280,6 @@ public final class Comparison {
                 forgetWhatIsGone();
             }
             settle(at);
-        }
-
-        private static long numberOf(@Nullable Pending pending) {
-            return pending == null ? 0 : pending.number();
         }
 
         private static boolean isAbout(Input input, long number) {

@@ -40,7 +40,7 @@ record Earlier(
 
     /** The number of the occurrence in progress; 0 if there is none. */
     long number() {
-        return current == null ? 0 : current.number();
+        return Plans.numberOf(current);
     }
 
     /** When a timer of this name is due; null if there is none. */

@@ -11,10 +11,16 @@ import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Transition;
+import org.jspecify.annotations.Nullable;
 
 /** Other models follow the converter's plan for an occurrence as long as theirs is the same. */
 final class Plans {
     private Plans() {}
+
+    /** Its number; 0 if there is none. */
+    static long numberOf(@Nullable Pending pending) {
+        return pending == null ? 0 : pending.number();
+    }
 
     /** The occurrence that an input is about; 0 if it is about none. */
     static long numberOf(Input input) {

@@ -62,7 +62,7 @@ public final class StateMachine {
         this.alike = findAlike();
     }
 
-    private StateMachine(StateMachine same, String name) {
+    private StateMachine(StateMachine same, String name, Map<State, StateTraits> traits) {
         this.name = name;
         this.initial = same.initial;
         this.rows = same.rows;
@@ -70,7 +70,7 @@ public final class StateMachine {
         this.spontaneous = same.spontaneous;
         this.guards = same.guards;
         this.initialEffects = same.initialEffects;
-        this.traits = same.traits;
+        this.traits = traits;
         this.alike = same.alike;
     }
 
@@ -103,7 +103,25 @@ public final class StateMachine {
 
     /** A copy with this name. @throws NullPointerException if it is null */
     public StateMachine withName(String otherName) {
-        return new StateMachine(this, requireNonNull(otherName, "the name of a state machine is null"));
+        return new StateMachine(this, requireNonNull(otherName, "the name of a state machine is null"), traits);
+    }
+
+    /** A copy in which {@code state} has this {@linkplain #deviceState device state}. */
+    public StateMachine withDeviceState(State state, String device) {
+        String valid = new State(device).name();
+        return with(state, known -> known.withDevice(valid));
+    }
+
+    /** A copy in which the function of {@code state} may {@linkplain #sends send} this event, too. */
+    public StateMachine withSends(State state, Event event) {
+        requireNonNull(event, "the event that a function sends is null");
+        return with(state, known -> known.withSends(event));
+    }
+
+    private StateMachine with(State state, UnaryOperator<StateTraits> change) {
+        Map<State, StateTraits> changed = new HashMap<>(traits);
+        changed.put(state, change.apply(traitsOf(state)));
+        return new StateMachine(this, name, Map.copyOf(changed));
     }
 
     /**
@@ -125,6 +143,7 @@ public final class StateMachine {
             }
             builder.drawn(same, renamed.apply(withoutMemory(state)), activities(state), paths(state), isEnd(state));
             deferred(state).forEach(event -> builder.defers(same.name(), event));
+            builder.device(same.name(), this, state);
         }
         builder.initial(renamed.apply(initial).name()).initialEffects(initialEffects);
         events.forEach(builder::event);
@@ -203,6 +222,27 @@ public final class StateMachine {
         return traits.values().stream()
                 .flatMap(state -> state.deferred().stream())
                 .anyMatch(deferred -> deferred.trigger().equals(event.trigger()));
+    }
+
+    /**
+     * The state of the original model in which the device must be while {@code state}, a new one, lasts; null if the
+     * device may be anywhere. As it was written: a name or a path, which a pair of models resolves.
+     */
+    public @Nullable String deviceState(State state) {
+        return traitsOf(state).device();
+    }
+
+    /**
+     * Whether the {@linkplain #deviceState device state} is that of a drawn state around {@code state}. It then means
+     * nothing in a state that the device has itself, whose own device state would be an error.
+     */
+    public boolean inheritsDeviceState(State state) {
+        return traitsOf(state).inherited();
+    }
+
+    /** The events that the function of {@code state} may send to the device, in order. */
+    public Set<Event> sends(State state) {
+        return traitsOf(state).sends();
     }
 
     private StateTraits traitsOf(State state) {

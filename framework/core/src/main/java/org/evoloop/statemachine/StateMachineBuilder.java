@@ -111,6 +111,46 @@ public final class StateMachineBuilder {
         return traits(state, known -> known.withDeferred(event));
     }
 
+    /**
+     * Adds a new state in which the device must be in a certain state, see {@link StateMachine#deviceState}.
+     *
+     * @param deviceState the name of a state of the original model, or its path
+     */
+    public StateMachineBuilder deviceState(String state, String deviceState) {
+        // A name that is none is refused as it is for any other state.
+        String device = new State(deviceState).name();
+        StateTraits known = traits.getOrDefault(new State(state), StateTraits.NONE);
+        if (known.device() != null && !known.device().equals(device)) {
+            problems.add(
+                    "state " + state + " has two device states, " + known.device() + " and " + device + "; keep one");
+        }
+        return traits(state, traits -> traits.withDevice(device));
+    }
+
+    /**
+     * The same for a state that only stands inside the drawn state with the device state, so that it may be one of the
+     * device, see {@link StateMachine#inheritsDeviceState}.
+     */
+    public StateMachineBuilder inheritedDeviceState(String state, String deviceState) {
+        return deviceState(state, deviceState).traits(state, StateTraits::withInherited);
+    }
+
+    /** Adds a state with the device state and the sends of a state of another machine. */
+    public StateMachineBuilder device(String state, StateMachine other, State same) {
+        other.sends(same).forEach(event -> sends(state, event.name()));
+        String device = other.deviceState(same);
+        if (device == null) {
+            return this;
+        }
+        return other.inheritsDeviceState(same) ? inheritedDeviceState(state, device) : deviceState(state, device);
+    }
+
+    /** Adds a state whose function may send {@code event} to the device, see {@link StateMachine#sends}. */
+    public StateMachineBuilder sends(String state, String event) {
+        Event sent = new Event(event);
+        return traits(state, known -> known.withSends(sent));
+    }
+
     private StateMachineBuilder traits(String state, UnaryOperator<StateTraits> change) {
         State owner = new State(state);
         row(owner);
@@ -138,7 +178,14 @@ public final class StateMachineBuilder {
             traits.put(
                     state,
                     new StateTraits(
-                            activities, Set.of(), itself ? null : withoutMemory, inPlace ? List.of() : paths, end));
+                            activities,
+                            Set.of(),
+                            itself ? null : withoutMemory,
+                            inPlace ? List.of() : paths,
+                            end,
+                            null,
+                            false,
+                            Set.of()));
         }
         return this;
     }

@@ -36,7 +36,7 @@ class DismissedEventsTest {
             player.press("stop");
             player.settle();
 
-            assertThat(player.outcomes()).endsWith("stop IGNORED", "pause IGNORED");
+            assertThat(player.outcomes()).endsWith("pause IGNORED", "stop IGNORED");
             assertThat(player.states()).isEqualTo(at("Paused", "Fading"));
             assertThat(visits).hasSize(2);
             assertThat(visits.get(1).isActive()).isTrue();

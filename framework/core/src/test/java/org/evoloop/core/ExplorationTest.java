@@ -262,6 +262,32 @@ class ExplorationTest {
         explore(scene, 12);
     }
 
+    static Stream<Scene> needing() {
+        Stream<Scene> drawn = Stream.of(DeviceStateScenes.door(), DeviceStateScenes.air())
+                .flatMap(scene -> Stream.of(
+                        scene.with(2, Act.PRESS, Act.OWN),
+                        scene.with(2, Act.PRESS).with(1, Act.OWN, Act.STOP, Act.FAIL),
+                        scene.with(2, Act.PRESS).with(1, Act.GIVE_UP, Act.JUMP),
+                        scene.with(2, Act.PRESS).with(1, Act.OWN, Act.END, Act.ASK)));
+        Stream<Scene> random = LongStream.concat(LongStream.rangeClosed(1, 8), LongStream.of(new Random().nextLong()))
+                .mapToObj(RandomPair::needing)
+                .map(scene -> scene.with(1, Act.PRESS, Act.OWN, Act.GIVE_UP, Act.FAIL, Act.STOP, Act.END, Act.ASK));
+        return Stream.concat(drawn, random).flatMap(ExplorationTest::bestAndWorst);
+    }
+
+    @ParameterizedTest
+    @MethodSource("needing")
+    void storiesOfStatesThatNeedTheDevice(Scene scene) {
+        explore(scene, 10);
+    }
+
+    @ParameterizedTest
+    @MethodSource("needing")
+    @Tag("slow")
+    void longerStoriesOfStatesThatNeedTheDevice(Scene scene) {
+        explore(scene, 13);
+    }
+
     private static void explore(Scene scene, int depth) {
         Exploration.Result result = Exploration.of(scene, Wiring.REAL, depth);
         assertThat(result.violation()).as("%s", scene).isEmpty();

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
@@ -33,6 +34,7 @@ final class Invariants {
                         invariants.recordIsDevice(),
                         invariants.whatTheDeviceObeyedIsDone(),
                         invariants.oneAfterTheOther(),
+                        invariants.factsAreHeardFirst(),
                         invariants.theDeviceIsAskedFirst(),
                         invariants.sumIsRight(),
                         invariants.visitsEnd(),
@@ -45,7 +47,12 @@ final class Invariants {
                         invariants.controllersHaveTheirPlaces(),
                         invariants.theSystemFollowsTheDevice(),
                         invariants.functionsRun(),
-                        invariants.noFunctionRunsWhileOtherModelsSettle())
+                        invariants.noFunctionRunsWhileOtherModelsSettle(),
+                        invariants.theDeviceIsWhereItIsNeeded(),
+                        invariants.functionsStartWhereTheDeviceIsNeeded(),
+                        invariants.nothingIsDecidedWithTheDeviceElsewhere(),
+                        invariants.plansReachTheDeviceState(),
+                        invariants.anInterruptedPlanEndsWhereItLed())
                 .stream()
                 .filter(problem -> !problem.isEmpty())
                 .findFirst()
@@ -59,7 +66,10 @@ final class Invariants {
                 : "";
     }
 
-    /** First come, first served, but for what is deferred, and only when nothing is in progress. */
+    /**
+     * First come, first served, but for what is deferred, and only when nothing is in progress; what the device did by
+     * itself comes before what is only asked for.
+     */
     private String oneAfterTheOther() {
         for (Output output : said) {
             if (output instanceof Output.Begin begin) {
@@ -69,13 +79,33 @@ final class Invariants {
                 if (isDeferred(begin.pending().occurrence(), before)) {
                     return "order: " + begin + ", which " + before.at() + " defers";
                 }
+                int place = before.waiting().indexOf(begin.pending());
+                if (place < 0) {
+                    continue;
+                }
                 List<Pending> ahead = new ArrayList<>(before.waiting());
                 ahead.retainAll(after.waiting());
                 ahead.removeIf(this::isDeferred);
-                int place = before.waiting().indexOf(begin.pending());
+                if (begin.pending().isUrgent()) {
+                    ahead.removeIf(pending -> !pending.isUrgent());
+                } else if (ahead.stream().anyMatch(Pending::isUrgent)) {
+                    return "order: " + begin + " before the facts of " + ahead;
+                }
                 if (!ahead.isEmpty() && before.waiting().indexOf(ahead.get(0)) < place) {
                     return "order: " + begin + " before " + ahead.get(0);
                 }
+            }
+        }
+        return "";
+    }
+
+    /** The new model has heard of all that the device did by itself when it decides on a request. */
+    private String factsAreHeardFirst() {
+        for (Output output : said) {
+            if (output instanceof Output.Decided decided
+                    && !decided.pending().isUrgent()
+                    && before.waiting().stream().anyMatch(Pending::hasHappened)) {
+                return "unheard: " + decided + " before the facts of " + before.waiting();
             }
         }
         return "";
@@ -180,7 +210,7 @@ final class Invariants {
         if (work != null && work.decision() != null && !work.sending() && !isToGoOn && world.asked == null) {
             return "stuck: nobody has to do anything for " + work;
         }
-        boolean drained = after.waiting().isEmpty() && work == null;
+        boolean drained = after.waiting().isEmpty() && work == null && !after.followOwed();
         if (after.open() && drained && after.visit().over()) {
             return "stuck: visit " + after.visit().number() + " is over and no other has begun";
         }
@@ -318,10 +348,79 @@ final class Invariants {
     private String functionsRun() {
         boolean quiet = after.open() && after.work() == null && !after.visit().over();
         return quiet
+                        && !after.followOwed()
+                        && !after.visit().startOwed()
                         && world.rules().table().isNew(after.at().evolved())
                         && world.functionOf != after.visit().number()
                 ? "function: that of " + after.at().evolved() + " does not run in " + after.visit()
                 : "";
+    }
+
+    /** Whatever has failed, and whatever the device did: in the end it is where the new model's state needs it. */
+    private String theDeviceIsWhereItIsNeeded() {
+        boolean quiet = after.open() && after.work() == null && after.waiting().isEmpty() && !after.followOwed();
+        return quiet && !isInDoubt(after) && !isWhereNeeded(after.at())
+                ? "needed: nothing brings the new model from " + after.at()
+                : "";
+    }
+
+    private boolean isWhereNeeded(Configuration at) {
+        return world.rules().table().isWhereNeeded(at);
+    }
+
+    /** The function of a state that needs the device starts only where that is certain, and nothing else is to be heard. */
+    private String functionsStartWhereTheDeviceIsNeeded() {
+        boolean needs = world.rules().table().needsDevice(after.at().evolved());
+        boolean certain = isWhereNeeded(after.at())
+                && !isInDoubt(after)
+                && after.waiting().stream().noneMatch(Pending::hasHappened);
+        return needs && !certain && said.stream().anyMatch(Output.Start.class::isInstance)
+                ? "start: a function in " + after
+                : "";
+    }
+
+    private String nothingIsDecidedWithTheDeviceElsewhere() {
+        for (Output output : said) {
+            if (output instanceof Output.Decided decided
+                    && !decided.pending().isUrgent()
+                    && !isWhereNeeded(before.at())) {
+                return "elsewhere: " + decided + " with the device where it is not needed";
+            }
+        }
+        return "";
+    }
+
+    /** What a function sends does not take the device out of the state's device state, either. */
+    private String plansReachTheDeviceState() {
+        for (Output output : said) {
+            if (output instanceof Output.Decided decided
+                    && decided.pending().own() == null
+                    && (decided.decision() instanceof Decision.NewState
+                            || decided.decision() instanceof Decision.Sending)
+                    && !(decided.pending().occurrence() instanceof Occurrence.Evolved)
+                    && !isWhereNeeded(decided.decision().after())) {
+                return "reached: " + decided;
+            }
+        }
+        return "";
+    }
+
+    /** A step whose effect was unknown has taken the device to where its plan leads: then the transition is taken. */
+    private String anInterruptedPlanEndsWhereItLed() {
+        Doubt doubt = before.doubt();
+        Decision interrupted = doubt == null || doubt.settled() ? null : doubt.interrupted();
+        if (interrupted == null
+                || !(input instanceof Input.Located)
+                || isInDoubt(after)
+                || !before.at().evolved().equals(interrupted.before().evolved())
+                || !isWhereNeeded(interrupted.after().withOriginal(after.at().original()))) {
+            return "";
+        }
+        Work work = after.work();
+        boolean goesOn = work != null && work.decision() instanceof Decision.NewState;
+        return goesOn || after.at().evolved().equals(interrupted.after().evolved())
+                ? ""
+                : "interrupted: " + interrupted + " ends in " + after.at();
     }
 
     /** No function runs while the device may be sent to where the new model is; a closed converter sends nothing. */

@@ -147,13 +147,8 @@ enum Mutation {
     A_STATE_IS_ENTERED_WHILE_OTHER_MODELS_SETTLE(
             "settling", Scene.busyRobot().with(2, Act.PRESS).with(1, Act.EVOLVE, Act.STOP)) {
         @Override
-        Snapshot ahead(Snapshot before, Input input) {
-            return input instanceof Input.Opened ? Snapshots.waiting(before, List.of()) : before;
-        }
-
-        @Override
-        Snapshot undo(Snapshot before, Input input, Snapshot after) {
-            return input instanceof Input.Opened ? Snapshots.waiting(after, before.waiting()) : after;
+        List<Pending> hidden(Snapshot before, Input input) {
+            return input instanceof Input.Opened ? before.waiting() : List.of();
         }
     },
     THE_QUEUE_DOES_NOT_WAIT("order", Scene.bulb().with(2, Act.PRESS)) {
@@ -168,6 +163,23 @@ enum Mutation {
             List<Pending> reversed = new ArrayList<>(before.waiting());
             Collections.reverse(reversed);
             return input instanceof Input.Ready ? Snapshots.waiting(before, reversed) : before;
+        }
+    },
+    FACTS_WAIT_BEHIND_REQUESTS("order", Scene.robot().with(1, Act.PRESS, Act.OWN)) {
+        @Override
+        List<Pending> hidden(Snapshot before, Input input) {
+            List<Pending> waiting = before.waiting();
+            return input instanceof Input.Ready
+                            && !waiting.isEmpty()
+                            && !waiting.get(0).isUrgent()
+                    ? waiting.subList(1, waiting.size())
+                    : List.of();
+        }
+    },
+    A_REQUEST_THAT_HAS_BEGUN_IS_DECIDED_BEFORE_FACTS("unheard", Scene.robot().with(1, Act.PRESS, Act.OWN)) {
+        @Override
+        List<Pending> hidden(Snapshot before, Input input) {
+            return input instanceof Input.Planned ? before.waiting() : List.of();
         }
     },
     A_STEP_IS_ASKED_FOR_TWICE("sent", Scene.bulb().with(1, Act.PRESS)) {
@@ -385,6 +397,13 @@ enum Mutation {
             return input instanceof Input.Observed ? Snapshots.sure(after) : after;
         }
     },
+    A_DEVICE_ELSEWHERE_IS_NOT_FOLLOWED(
+            "stuck", DeviceStateScenes.air().with(2, Act.PRESS).with(1, Act.FAIL)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return Snapshots.followOwed(after, before.followOwed());
+        }
+    },
     WHAT_ENDS_IS_NOT_COUNTED("sum", Scene.bulb().with(1, Act.PRESS)) {
         @Override
         Snapshot undo(Snapshot before, Input input, Snapshot after) {
@@ -410,14 +429,22 @@ enum Mutation {
                 Occurrence lost = ((Input.Observed) input).occurrence();
                 return new Wiring.Result(List.of(new Output.Dropped(lost, true)), Snapshots.lost(before));
             }
-            Wiring.Result real = Wiring.REAL.apply(rules(rules), ahead(before, input), input);
-            return new Wiring.Result(unsay(before, input, real.said()), undo(before, input, real.after()));
+            List<Pending> hidden = hidden(before, input);
+            Snapshot ahead = Snapshots.without(ahead(before, input), hidden);
+            Wiring.Result real = Wiring.REAL.apply(rules(rules), ahead, input);
+            Snapshot after = Snapshots.with(real.after(), hidden);
+            return new Wiring.Result(unsay(before, input, real.said()), undo(before, input, after));
         };
     }
 
     /** Whether an occurrence is lost that the core would take. */
     boolean isLost(Snapshot before, Input input) {
         return false;
+    }
+
+    /** What waits unnoticed while the core takes an input. */
+    List<Pending> hidden(Snapshot before, Input input) {
+        return List.of();
     }
 
     /** The rules by which the core works. */

@@ -33,6 +33,27 @@ public final class RandomPair {
                 .onFailure(then);
     }
 
+    /** The same, with new states that need the device somewhere, or send something. */
+    static Scene needing(long seed) {
+        Random random = new Random(seed);
+        ModelPair same = models(seed);
+        StateMachine evolved = same.evolved();
+        for (String state : NEW) {
+            State added = new State(state);
+            if (random.nextInt(4) > 0) {
+                evolved = evolved.withDeviceState(added, DEVICE.get(random.nextInt(DEVICE.size())));
+            }
+            if (random.nextInt(3) == 0) {
+                evolved = evolved.withSends(added, new Event("a")).withSends(added, new Event("b"));
+            }
+        }
+        OnFailure then = OnFailure.values()[Math.floorMod(seed, OnFailure.values().length)];
+        ModelPair pair = new ModelPair(same.original(), evolved);
+        return Scene.of("needing pair of seed " + seed, pair, Map.of("W", "late"), "a b", "a", 2)
+                .onFailure(then)
+                .pressing("done");
+    }
+
     /** The pair of {@code seed}. */
     public static ModelPair models(long seed) {
         return new RandomPair(seed).draw();

@@ -17,8 +17,14 @@ import org.junit.jupiter.params.provider.MethodSource;
 class SameModelsTest {
     private static final int LENGTH = 120;
 
+    /** In these, a doubt from before the comparison is settled late, or a press too old ends another's visit. */
+    private static final long[] RARE = {
+        3224647957794528644L, 5587108819434192134L, -1196694759062514379L, -6408328380651812641L
+    };
+
     static LongStream seeds() {
-        return LongStream.concat(LongStream.rangeClosed(1, 1000), LongStream.of(new Random().nextLong()));
+        LongStream common = LongStream.concat(LongStream.rangeClosed(1, 1000), LongStream.of(RARE));
+        return LongStream.concat(common, LongStream.of(new Random().nextLong()));
     }
 
     /** A random pair, or one of the paper's; with any adapter, device, queue and age of presses. */

@@ -5,6 +5,7 @@ import static org.evoloop.Machines.machine;
 import java.time.Duration;
 import java.util.EnumMap;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -259,6 +260,15 @@ record Scene(
     /** The evolution to the other pair, or back. */
     Swap swap(boolean back) {
         return back ? Swap.of(next, rules, mapping.reversed()) : Swap.of(rules, next, mapping);
+    }
+
+    /** The same scene in which controllers press the events of the new model, too. */
+    Scene pressing(String more) {
+        Set<Event> all = new HashSet<>(presses);
+        all.addAll(events(more));
+        Set<Event> others = new HashSet<>(raised);
+        others.removeAll(all);
+        return new Scene(name, rules, next, mapping, all, own, others, inOrder, canLocate, times);
     }
 
     /** The same scene with this reaction to a failed step of a plan. */

@@ -1,5 +1,6 @@
 package org.evoloop.core;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
@@ -114,5 +115,17 @@ final class Snapshots {
                 work,
                 tally,
                 of.nowNanos());
+    }
+
+    static Snapshot without(Snapshot snapshot, List<Pending> hidden) {
+        List<Pending> left = new ArrayList<>(snapshot.waiting());
+        left.removeAll(hidden);
+        return waiting(snapshot, left);
+    }
+
+    static Snapshot with(Snapshot snapshot, List<Pending> hidden) {
+        List<Pending> all = new ArrayList<>(snapshot.waiting());
+        all.addAll(hidden);
+        return waiting(snapshot, all);
     }
 }

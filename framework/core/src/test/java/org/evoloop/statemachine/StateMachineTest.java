@@ -231,4 +231,47 @@ class StateMachineTest {
                 .isInstanceOf(ModelException.class)
                 .hasMessageContaining(name);
     }
+
+    @Test
+    void saysWhereANewStateNeedsTheDeviceAndWhatItsFunctionSends() {
+        StateMachine aired = StateMachine.named("door")
+                .initial("Closed")
+                .transition("Closed", "gap", "Gap")
+                .defers("Gap", new Event("press"))
+                .deviceState("Gap", "StopUp")
+                .sends("Gap", "light")
+                .sends("Gap", "beep")
+                .build();
+        State gap = new State("Gap");
+        State airing = new State("Airing");
+
+        assertThat(aired.deviceState(gap)).isEqualTo("StopUp");
+        assertThat(aired.deviceState(new State("Closed"))).isNull();
+        assertThat(aired.sends(gap)).containsExactly(new Event("light"), new Event("beep"));
+        assertThat(aired.sends(new State("Closed"))).isEmpty();
+        assertThat(aired.events()).doesNotContain(new Event("light"));
+
+        StateMachine copy = aired.withName("other").withStateNames(Map.of(gap, "Airing"));
+        assertThat(copy.deviceState(airing)).isEqualTo("StopUp");
+        assertThat(copy.sends(airing)).containsExactly(new Event("light"), new Event("beep"));
+        assertThat(copy.defers(airing, new Event("press"))).isTrue();
+
+        StateMachine changed = aired.withDeviceState(gap, "Open").withSends(gap, new Event("lock"));
+        assertThat(changed.deviceState(gap)).isEqualTo("Open");
+        assertThat(changed.sends(gap)).containsExactly(new Event("light"), new Event("beep"), new Event("lock"));
+        assertThat(aired.deviceState(gap)).isEqualTo("StopUp");
+    }
+
+    @Test
+    void refusesTwoDeviceStatesForOneState() {
+        StateMachineBuilder builder = StateMachine.named("door")
+                .initial("Gap")
+                .deviceState("Gap", "StopUp")
+                .deviceState("Gap", "StopUp");
+
+        assertThat(builder.build().deviceState(new State("Gap"))).isEqualTo("StopUp");
+        assertThatThrownBy(() -> builder.deviceState("Gap", "Open").build())
+                .hasMessageContaining("state Gap has two device states, StopUp and Open; keep one");
+        assertThatThrownBy(() -> builder.deviceState("Gap", " ")).isInstanceOf(ModelException.class);
+    }
 }

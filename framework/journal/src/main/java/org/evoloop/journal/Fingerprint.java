@@ -51,9 +51,16 @@ final class Fingerprint {
         text.append(machine.initial()).append('\n');
         text.append(machine.spontaneous().stream().sorted().toList()).append('\n');
         for (State state : machine.states().stream().sorted().toList()) {
-            text.append(state)
-                    .append(machine.deferred(state).stream().sorted().toList())
-                    .append('\n');
+            text.append(state).append(machine.deferred(state).stream().sorted().toList());
+            String device = machine.deviceState(state);
+            if (device != null) {
+                text.append(" device ").append(device);
+            }
+            if (!machine.sends(state).isEmpty()) {
+                text.append(" sends ")
+                        .append(machine.sends(state).stream().sorted().toList());
+            }
+            text.append('\n');
         }
         for (Transition transition : machine.transitions()) {
             text.append(transition)

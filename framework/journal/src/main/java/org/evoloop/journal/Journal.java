@@ -202,10 +202,10 @@ public final class Journal implements ConverterJournal {
 
     /** @throws JournalException if it cannot be written */
     @Override
-    public Inputs keep(Core core, Consumer<Exception> failed) {
+    public Inputs keep(Core core, Consumer<Exception> failed, Runnable works) {
         Segments opened = requireNonNull(segments, "the journal is not open");
         try {
-            return new Recorder(core, opened, failed);
+            return new Recorder(core, opened, failed, works);
         } catch (IOException e) {
             close();
             throw Directory.cannotBeWritten(path, e);

@@ -12,6 +12,12 @@ import org.evoloop.statemachine.Transition;
 
 /** State machines in the head of a segment, so that a journal can be read without its model files. */
 final class MachineBytes {
+    /** What a state has; the numbers are in the file. */
+    private static final int END = 1;
+
+    private static final int DEVICE = 2;
+    private static final int SENDS = 4;
+
     private MachineBytes() {}
 
     static void write(Bytes bytes, StateMachine machine) {
@@ -22,7 +28,16 @@ final class MachineBytes {
             bytes.name(machine.withoutMemory(state).name());
             bytes.names(machine.activities(state));
             bytes.names(machine.paths(state));
-            bytes.truth(machine.isEnd(state));
+            String device = machine.deviceState(state);
+            List<String> sends = machine.sends(state).stream().map(Event::name).toList();
+            bytes.octet(
+                    (machine.isEnd(state) ? END : 0) | (device == null ? 0 : DEVICE) | (sends.isEmpty() ? 0 : SENDS));
+            if (device != null) {
+                bytes.name(device);
+            }
+            if (!sends.isEmpty()) {
+                bytes.names(sends);
+            }
             bytes.number(machine.deferred(state).size());
             machine.deferred(state).forEach(event -> event(bytes, event));
         }
@@ -52,7 +67,14 @@ final class MachineBytes {
             State withoutMemory = new State(cursor.name());
             List<String> activities = cursor.names();
             List<String> paths = cursor.names();
-            builder.drawn(state, withoutMemory, activities, paths, cursor.truth());
+            int traits = cursor.octet();
+            builder.drawn(state, withoutMemory, activities, paths, (traits & END) != 0);
+            if ((traits & DEVICE) != 0) {
+                builder.deviceState(state.name(), cursor.name());
+            }
+            if ((traits & SENDS) != 0) {
+                cursor.names().forEach(event -> builder.sends(state.name(), event));
+            }
             for (int deferred = cursor.count(); deferred > 0; deferred--) {
                 builder.defers(state.name(), event(cursor));
             }

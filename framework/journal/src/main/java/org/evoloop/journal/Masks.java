@@ -74,7 +74,8 @@ record Masks(Set<String> names) {
                         doubt.step(),
                         doubt.stepsBefore(),
                         doubt.meanwhile().stream().map(this::of).toList(),
-                        doubt.settled());
+                        doubt.settled(),
+                        doubt.interrupted());
     }
 
     private @Nullable Work of(@Nullable Work work) {

@@ -72,13 +72,16 @@ final class OtherRules {
         State system = models.evolved().hasState(then.at().evolved())
                 ? then.at().evolved()
                 : models.evolvedStates(device).get(0);
+        List<State> needed = models.whereDeviceMustBe(system);
+        boolean elsewhere = models.isNew(system) && !needed.isEmpty() && !needed.contains(device);
         return new Snapshot(
                 then.open(),
-                new Configuration(device, system),
+                new Configuration(
+                        device, elsewhere ? models.evolvedStates(device).get(0) : system),
                 null,
                 0,
                 then.nowNanos(),
-                new Snapshot.OpenVisit(0, true, null, Map.of()),
+                new Snapshot.OpenVisit(0, true, null, Map.of(), false),
                 List.of(),
                 false,
                 false,

@@ -25,13 +25,15 @@ final class Recorder implements Inputs {
     private final Core core;
     private final Segments segments;
     private final Consumer<Exception> failed;
+    private final Runnable works;
     private final Encoder encoder;
     private boolean kept;
 
-    Recorder(Core core, Segments segments, Consumer<Exception> failed) throws IOException {
+    Recorder(Core core, Segments segments, Consumer<Exception> failed, Runnable works) throws IOException {
         this.core = core;
         this.segments = segments;
         this.failed = failed;
+        this.works = works;
         this.encoder = new Encoder(segments.masks());
         segments.begin(core, encoder.bytes);
     }
@@ -50,6 +52,8 @@ final class Recorder implements Inputs {
                                     + " was removed, replaced or cut while it was written. The converter has begun the next"
                                     + " segment with its complete state",
                             Remedy.ofDamage(lost)));
+                } else if (!worked) {
+                    works.run();
                 }
                 return false;
             }

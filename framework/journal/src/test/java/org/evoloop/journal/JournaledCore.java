@@ -32,7 +32,7 @@ final class JournaledCore implements AutoCloseable {
         this.journal = journal;
         Snapshot before = journal.open(Robot.RULES, clock, new Forgetting());
         core = before == null ? new Core(Robot.RULES, output -> {}) : new Core(Robot.RULES, before, output -> {});
-        inputs = journal.keep(core, failures::add);
+        inputs = journal.keep(core, failures::add, () -> {});
     }
 
     static JournaledCore in(Path directory) {

@@ -66,6 +66,13 @@ class UnwritableTest {
                 assertThat(fault.failures()).isEqualTo(1);
                 assertThat(fault.lastFailure()).startsWith("the journal " + path + " cannot be written: ");
             });
+
+            Files.move(directory.resolve("elsewhere"), path);
+            await().ignoreExceptions().until(() -> {
+                buttons.press("next");
+                return true;
+            });
+            assertThat(converter.status().troubles()).as("it is written again").isEmpty();
         }
     }
 }

@@ -95,7 +95,7 @@ final class CheckCommand implements Callable<Integer> {
     /** Without a valid pair, there are no events to analyse. */
     private static boolean isNoEvolution(Finding finding) {
         return switch (finding.rule()) {
-            case CONDITION_1, CONDITION_2, INITIAL_DIFFERS -> true;
+            case CONDITION_1, CONDITION_2, INITIAL_DIFFERS, DEVICE_STATE -> true;
             default -> false;
         };
     }

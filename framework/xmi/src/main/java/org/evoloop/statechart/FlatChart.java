@@ -76,6 +76,7 @@ final class FlatChart {
 
     private static boolean isSimple(ChartState state) {
         return !state.name().isBlank()
+                && !Keywords.isInName(state.name())
                 && state.regions().isEmpty()
                 && state.connections().isEmpty()
                 && state.internal().isEmpty()
@@ -131,7 +132,7 @@ final class FlatChart {
     /** Null for a time trigger, and for an event without a name. */
     private @Nullable Event event(String name) {
         Event known = events.get(name);
-        if (known == null && !name.isBlank() && !NetBuilder.isTime(name)) {
+        if (known == null && !name.isBlank() && !Keywords.isBeforeEvent(name) && !NetBuilder.isTime(name)) {
             known = new Event(name);
             events.put(name, known);
         }
@@ -145,6 +146,11 @@ final class FlatChart {
         for (Row row : rows.values()) {
             State state = row.state();
             builder.drawn(state, state, List.of(), List.of(state.name()), false);
+            DeviceUse use = row.drawn().use();
+            use.sends().forEach(event -> builder.sends(state.name(), event));
+            if (!use.device().isEmpty()) {
+                builder.deviceState(state.name(), use.device());
+            }
         }
         ChartState entered = requireNonNull(rows.get(first.target())).drawn();
         builder.initial(entered.name()).initialEffects(PlainSteps.effects(List.of(), first.effects(), entered.entry()));

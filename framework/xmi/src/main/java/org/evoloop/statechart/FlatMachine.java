@@ -31,6 +31,8 @@ final class FlatMachine {
     /** The time triggers and activities that several active states share. */
     private final Set<String> ambiguous = new HashSet<>();
 
+    private final Set<Problem> problems = new LinkedHashSet<>();
+
     /**
      * @param reached every stable state, by number
      * @param inOrder every stable state, in document order
@@ -82,9 +84,16 @@ final class FlatMachine {
         return leaves;
     }
 
+    /** What {@link #machine} has found: regions that contradict each other. */
+    Set<Problem> problems() {
+        return problems;
+    }
+
     /** @param effects run when the machine starts, in order */
     StateMachine machine(Reached start, List<String> effects) {
         StateMachineBuilder builder = StateMachine.named(net.chart().name());
+        boolean usesDevice =
+                net.nodes().stream().anyMatch(node -> !ActiveUse.drawnAt(node).isNone());
         for (Flat flat : flats) {
             List<String> activities = new ArrayList<>();
             for (Owned owned : flat.goingOn()) {
@@ -94,6 +103,9 @@ final class FlatMachine {
             }
             Snapshot drawn = flat.reached().snapshot;
             builder.drawn(flat.state(), flat.plain(), activities, paths(drawn), isEnd(drawn));
+            if (usesDevice) {
+                use(drawn, flat.state().name(), builder);
+            }
         }
         builder.initial(states[start.index].name()).initialEffects(effects);
         List<Transition> leaving = new ArrayList<>();
@@ -115,6 +127,20 @@ final class FlatMachine {
         net.spontaneous().forEach(builder::spontaneous);
         net.chart().events().stream().filter(event -> !event.isBlank()).forEach(builder::event);
         return builder.build();
+    }
+
+    private void use(Snapshot drawn, String state, StateMachineBuilder builder) {
+        try {
+            ActiveUse use = ActiveUse.of(net, drawn.leaves());
+            use.sends().forEach(event -> builder.sends(state, event));
+            if (!use.device().isEmpty() && use.inherited()) {
+                builder.inheritedDeviceState(state, use.device());
+            } else if (!use.device().isEmpty()) {
+                builder.deviceState(state, use.device());
+            }
+        } catch (Refused contradiction) {
+            problems.add(contradiction.problem());
+        }
     }
 
     private List<String> paths(Snapshot state) {

@@ -101,6 +101,9 @@ public final class Flattening {
         try {
             FlatMachine flat = new FlatMachine(net, explorer.reached(), explorer.inOrder());
             StateMachine machine = flat.machine(explorer.reached(start.target()), start.effects());
+            if (!flat.problems().isEmpty()) {
+                return failed(List.copyOf(flat.problems()));
+            }
             List<Arc> unused =
                     explorer.unused().stream().map(link -> link.arc).distinct().toList();
             return new Flattening(problems, machine, flat::leaves, unused);

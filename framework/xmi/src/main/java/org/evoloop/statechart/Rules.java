@@ -56,6 +56,43 @@ final class Rules {
         }
         net.nodes().forEach(node -> node.zones.forEach(this::names));
         net.tops().forEach(this::names);
+        keywords();
+    }
+
+    /** Refuses the keywords that have not been understood, and those of anything but states and events. */
+    private void keywords() {
+        for (Node node : net.nodes()) {
+            node.zones.forEach(this::keyword);
+            keyword(node.vertex.place(), node.toString(), node.vertex.name(), node.isState());
+            node.deferred().forEach(event -> keyword(node.vertex.place(), event));
+            for (Link link : node.outgoing) {
+                List<String> triggers = link.arc.triggers();
+                for (int i = 0; i < triggers.size(); i++) {
+                    keyword(link.arc.place(), triggers.get(i));
+                }
+            }
+        }
+        net.tops().forEach(this::keyword);
+        net.chart().events().forEach(event -> keyword(net.chart().place(), event));
+    }
+
+    private void keyword(Zone zone) {
+        keyword(zone.region.place(), zone.toString(), zone.region.name(), false);
+    }
+
+    private void keyword(Place place, String what, String name, boolean state) {
+        if (Keywords.isInName(name)) {
+            problems.add(
+                    state
+                            ? Keywords.problem(place, what, name, true)
+                            : new Problem(place, what + " has a keyword", "draw it at a state"));
+        }
+    }
+
+    private void keyword(Place place, String event) {
+        if (Keywords.isBeforeEvent(event)) {
+            problems.add(Keywords.problem(place, "event '" + event + "'", event, false));
+        }
     }
 
     private void names(Zone zone) {

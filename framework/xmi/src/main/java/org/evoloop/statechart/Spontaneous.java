@@ -11,7 +11,7 @@ import java.util.regex.Pattern;
  * @since 0.1
  */
 public final class Spontaneous {
-    private static final String KEYWORD = "spontaneous";
+    static final String KEYWORD = "spontaneous";
     private static final Pattern MARKED = Pattern.compile("\\s*(?:«|<<)\\s*" + KEYWORD + "\\s*(?:»|>>)\\s*(.*)");
 
     private Spontaneous() {}

@@ -54,7 +54,8 @@ public final class TimeUnits {
                         arcs(state.internal()),
                         state.deferred(),
                         regions(state.regions()),
-                        state.connections())
+                        state.connections(),
+                        state.use())
                 : vertex;
     }
 

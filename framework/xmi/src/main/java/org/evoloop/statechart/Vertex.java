@@ -29,6 +29,7 @@ public sealed interface Vertex {
      * @param internal transitions that neither leave nor enter it
      * @param deferred triggers that are deferred while it is active
      * @param connections its entry and exit points
+     * @param use what it has to do with the device
      */
     record ChartState(
             String key,
@@ -40,7 +41,8 @@ public sealed interface Vertex {
             List<Arc> internal,
             List<String> deferred,
             List<Region> regions,
-            List<Pseudostate> connections)
+            List<Pseudostate> connections,
+            DeviceUse use)
             implements Vertex {
         public ChartState {
             entry = List.copyOf(entry);
@@ -50,6 +52,38 @@ public sealed interface Vertex {
             deferred = Spontaneous.unmarked(deferred);
             regions = List.copyOf(regions);
             connections = List.copyOf(connections);
+        }
+
+        /** @param drawn the name, with the keywords of {@link DeviceUse} if there are any */
+        public ChartState(
+                String key,
+                String drawn,
+                Place place,
+                List<String> entry,
+                List<String> exit,
+                List<String> doActivities,
+                List<Arc> internal,
+                List<String> deferred,
+                List<Region> regions,
+                List<Pseudostate> connections) {
+            this(
+                    key,
+                    DeviceUse.unmarked(drawn),
+                    place,
+                    entry,
+                    exit,
+                    doActivities,
+                    internal,
+                    deferred,
+                    regions,
+                    connections,
+                    DeviceUse.of(drawn));
+        }
+
+        /** The same state with another {@link #use}. */
+        public ChartState with(DeviceUse other) {
+            return new ChartState(
+                    key, name, place, entry, exit, doActivities, internal, deferred, regions, connections, other);
         }
 
         /** A state without contents. */

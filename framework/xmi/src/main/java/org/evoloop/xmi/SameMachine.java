@@ -31,6 +31,15 @@ final class SameMachine {
     private static Optional<String> difference(State state, StateMachine one, StateMachine other) {
         return differs(state + " does", one.activities(state), other.activities(state))
                 .or(() -> differs(state + " defers", one.deferred(state), other.deferred(state)))
+                .or(() -> differs(
+                        state + " has the device in",
+                        String.valueOf(one.deviceState(state)),
+                        String.valueOf(other.deviceState(state))))
+                .or(() -> differs(
+                        state + " has the device state of a state around it:",
+                        one.inheritsDeviceState(state),
+                        other.inheritsDeviceState(state)))
+                .or(() -> differs(state + " sends", one.sends(state), other.sends(state)))
                 .or(() -> differs(state + " without memory is", one.withoutMemory(state), other.withoutMemory(state)))
                 .or(() -> differs("from " + state + " lead", transitions(one, state), transitions(other, state)));
     }

@@ -18,6 +18,9 @@ class FlatChartTest {
     private static final int CHARTS = 20_000;
     private static final List<String> EVENTS = List.of("a", "b", "c", "d", "e", "«spontaneous» f");
 
+    private static final List<String> KEYWORDS =
+            List.of("«device A» ", "«sends a, b» ", "«device A, sends c»", "«devise A» ", "«spontaneous» ");
+
     private final List<Vertex> vertices = new ArrayList<>();
     private final List<Arc> arcs = new ArrayList<>();
 
@@ -67,7 +70,8 @@ class FlatChartTest {
         boolean strange = random.nextInt(60) == 0;
         return new ChartState(
                 "s" + (strange ? random.nextInt(2) : number),
-                random.nextInt(60) == 0 ? one(List.of("S0", "S1", " "), random) : "S" + number,
+                (random.nextInt(20) == 0 ? one(KEYWORDS, random) : "")
+                        + (random.nextInt(60) == 0 ? one(List.of("S0", "S1", " "), random) : "S" + number),
                 Place.NONE,
                 actions(random),
                 actions(random),
@@ -81,14 +85,15 @@ class FlatChartTest {
     /** Adds something that not every flat chart has. */
     private void distort(Random random) {
         Arc any = one(arcs, random);
-        switch (random.nextInt(8)) {
+        switch (random.nextInt(9)) {
             case 0 -> arcs.add(with(any, any.target(), any.triggers(), "hot", Arc.Kind.EXTERNAL));
             case 1 -> arcs.add(with(any, any.target(), List.of("after 2 s"), "", Arc.Kind.EXTERNAL));
             case 2 -> arcs.add(with(any, any.target(), List.of("after a while"), "", Arc.Kind.EXTERNAL));
             case 3 -> arcs.add(with(any, any.target(), List.of(), "", Arc.Kind.EXTERNAL));
             case 4 -> arcs.add(with(any, any.target(), List.of("g"), "", Arc.Kind.LOCAL));
             case 5 -> arcs.add(with(any, one(List.of("i", "nowhere"), random), List.of("g"), "", Arc.Kind.EXTERNAL));
-            case 6 -> vertices.add(new FinalState("end", "", Place.NONE));
+            case 6 -> arcs.add(with(any, any.target(), List.of("«spontanous» h"), "", Arc.Kind.EXTERNAL));
+            case 7 -> vertices.add(new FinalState("end", "", Place.NONE));
             default -> vertices.add(new Pseudostate("i2", "", Place.NONE, one(List.of(Kind.values()), random)));
         }
     }
@@ -127,7 +132,10 @@ class FlatChartTest {
                         machine.paths(state),
                         machine.isEnd(state),
                         machine.activities(state),
-                        machine.deferred(state)));
+                        machine.deferred(state),
+                        String.valueOf(machine.deviceState(state)),
+                        machine.inheritsDeviceState(state),
+                        machine.sends(state)));
             }
         }
         return all;

@@ -19,7 +19,8 @@ class ModelTextsTest {
         "cleaning-robot.xml, cleaning-robot.md",
         "roomba.xml, roomba.md",
         "cleaning-robot-twice.scxml, cleaning-robot-twice.mmd",
-        "light-bulb.xml, README.md"
+        "light-bulb.xml, README.md",
+        "light-bulb.xml, ../README.md"
     })
     void theTextIsTheDrawing(String drawing, String text) {
         XmiFile texts = read(text);

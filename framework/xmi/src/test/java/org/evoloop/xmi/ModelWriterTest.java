@@ -105,6 +105,14 @@ class ModelWriterTest {
                         """);
     }
 
+    @Test
+    void whatAStateHasToDoWithTheDeviceIsWrittenToo() {
+        Statechart chart = plantUml("[*] --> A ; state \"«device On» «sends stop» A\" as A ; A --> A : again");
+
+        assertThat(ModelWriter.MERMAID.write(chart)).contains("state \"«device On» «sends stop» A\" as A\n");
+        assertThat(ModelWriter.SCXML.write(chart)).contains("<state id=\"A\" ev:device=\"On\" ev:sends=\"stop\">");
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',

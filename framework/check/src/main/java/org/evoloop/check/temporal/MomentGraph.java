@@ -44,7 +44,7 @@ public final class MomentGraph {
 
     /** The graph from {@code initial}, whose states are in {@code pairs}. */
     MomentGraph(PairGraph pairs, Moment initial) {
-        this(initial, pairs::turnsFrom, Integer.MAX_VALUE);
+        this(initial, at -> unsent(pairs.turnsFrom(at)), Integer.MAX_VALUE);
     }
 
     /**
@@ -57,11 +57,18 @@ public final class MomentGraph {
     public static Optional<MomentGraph> withSends(DecisionTable table, FunctionSends sends, int most) {
         MomentGraph graph = new MomentGraph(
                 new Moment(table.models().initial(), null),
-                at -> Stream.of(table.expected(at), table.interference(at), sends.from(at))
+                at -> Stream.of(unsent(table.expected(at)), table.interference(at), sends.from(at, table))
                         .flatMap(List::stream)
                         .toList(),
                 most);
         return Optional.of(graph).filter(explored -> explored.edges.size() <= most);
+    }
+
+    /** What no function sends. */
+    private static List<Turn> unsent(List<Turn> turns) {
+        return turns.stream()
+                .filter(turn -> !(turn.decision() instanceof Decision.Sending))
+                .toList();
     }
 
     private MomentGraph(Moment initial, Function<Configuration, List<Turn>> turns, int most) {

@@ -50,7 +50,11 @@ final class Likeness {
                 STEPS,
                 0,
                 new Snapshot.OpenVisit(
-                        visit > 0 ? VISIT : 0, of.visit().over(), of.visit().by(), deadlines(sameVisit)),
+                        visit > 0 ? VISIT : 0,
+                        of.visit().over(),
+                        of.visit().by(),
+                        deadlines(sameVisit),
+                        of.visit().startOwed()),
                 waiting,
                 false,
                 of.followOwed(),

@@ -74,8 +74,7 @@ final class Situations {
                 now.doubt(),
                 now.steps(),
                 now.lastStepNanos(),
-                new Snapshot.OpenVisit(
-                        now.visit().number(), now.visit().over(), now.visit().by(), deadlines),
+                now.visit().withDeadlines(deadlines),
                 now.waiting(),
                 now.losing(),
                 now.followOwed(),

@@ -1,5 +1,7 @@
 package org.evoloop.core.text;
 
+import java.util.List;
+
 /** The items that {@link ByteWriter} has written. */
 final class ByteItems extends Items {
     private final byte[] bytes;
@@ -72,6 +74,15 @@ final class ByteItems extends Items {
     @Override
     boolean choice(String yes, String no) {
         return isOne();
+    }
+
+    @Override
+    int choice(List<String> words) {
+        int which = octet();
+        if (which >= words.size()) {
+            throw damaged("one of " + words + " was expected, not " + which);
+        }
+        return which;
     }
 
     @Override

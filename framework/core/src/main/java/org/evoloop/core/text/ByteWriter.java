@@ -1,6 +1,7 @@
 package org.evoloop.core.text;
 
 import java.util.Arrays;
+import java.util.List;
 
 /** Writes items as bytes: numbers in as few as they need, texts after their length, no names of groups. */
 final class ByteWriter extends ItemWriter {
@@ -77,6 +78,11 @@ final class ByteWriter extends ItemWriter {
     @Override
     ItemWriter choice(boolean which, String yes, String no) {
         return octet(which ? 1 : 0);
+    }
+
+    @Override
+    ItemWriter choice(int which, List<String> words) {
+        return octet(which);
     }
 
     @Override

@@ -1,6 +1,7 @@
 package org.evoloop.core.text;
 
 import java.util.Collection;
+import java.util.List;
 
 /** Writes the items that {@link Items} reads. */
 abstract class ItemWriter {
@@ -19,6 +20,9 @@ abstract class ItemWriter {
     abstract ItemWriter word(String word);
 
     abstract ItemWriter choice(boolean which, String yes, String no);
+
+    /** Writes one of a few words, by its index. */
+    abstract ItemWriter choice(int which, List<String> words);
 
     abstract ItemWriter number(long number);
 

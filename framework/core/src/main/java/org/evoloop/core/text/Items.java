@@ -31,6 +31,9 @@ abstract class Items {
     /** Reads one of two words: whether it is {@code yes}. */
     abstract boolean choice(String yes, String no);
 
+    /** Reads the index of one of a few words. */
+    abstract int choice(List<String> words);
+
     abstract long number();
 
     abstract String text();

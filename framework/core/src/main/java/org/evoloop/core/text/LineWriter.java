@@ -1,5 +1,7 @@
 package org.evoloop.core.text;
 
+import java.util.List;
+
 /** Writes items as lines. */
 final class LineWriter extends ItemWriter {
     /** Large enough for most snapshots. */
@@ -41,6 +43,11 @@ final class LineWriter extends ItemWriter {
     @Override
     ItemWriter choice(boolean which, String yes, String no) {
         return word(which ? yes : no);
+    }
+
+    @Override
+    ItemWriter choice(int which, List<String> words) {
+        return word(words.get(which));
     }
 
     @Override

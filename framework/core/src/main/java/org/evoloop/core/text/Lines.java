@@ -1,5 +1,7 @@
 package org.evoloop.core.text;
 
+import java.util.List;
+
 /** The lines of a text, read one after another, word by word, in place: only requested words are copied. */
 final class Lines extends Items {
     private static final int DECIMAL = 10;
@@ -114,6 +116,15 @@ final class Lines extends Items {
             throw damaged("'" + yes + "' or '" + no + "' was expected, not '" + word + "'");
         }
         return word.equals(yes);
+    }
+
+    @Override
+    int choice(List<String> words) {
+        String word = word();
+        if (!words.contains(word)) {
+            throw damaged("'" + word + "' is none of " + words);
+        }
+        return words.indexOf(word);
     }
 
     @Override

@@ -26,6 +26,12 @@ import org.jspecify.annotations.Nullable;
 final class SnapshotReader {
     private static final DecisionKind[] KINDS = DecisionKind.values();
 
+    /** A visit goes on or is over; or it goes on, and its function has yet to be started. */
+    static final List<String> VISITS = List.of("on", "over", "unstarted");
+
+    /** A doubt is open or settled; or it is open, and has interrupted the decision that follows. */
+    static final List<String> DOUBTS = List.of("open", "settled", "interrupted");
+
     private final Items items;
     private final Names names;
     private final OccurrenceReader occurrences;
@@ -88,7 +94,7 @@ final class SnapshotReader {
     private Snapshot.OpenVisit visit() {
         items.next("visit");
         long number = items.total();
-        boolean over = ended(items.choice("over", "on"));
+        int which = ended(items.choice(VISITS));
         Transition by = transition("by");
         Map<Event, Long> deadlines = new LinkedHashMap<>();
         many("deadlines", () -> {
@@ -97,7 +103,7 @@ final class SnapshotReader {
             deadlines.put(event, ended(items.number()));
             return event;
         });
-        return new Snapshot.OpenVisit(number, over, by, deadlines);
+        return new Snapshot.OpenVisit(number, which == 1, by, deadlines, which == 2);
     }
 
     private @Nullable Transition transition(String name) {
@@ -169,9 +175,11 @@ final class SnapshotReader {
         }
         long number = items.number();
         long stepsBefore = items.number();
-        boolean settled = items.choice("settled", "open");
+        int which = items.choice(DOUBTS);
         String why = ended(items.text());
-        return new Doubt(why, number, step("step"), stepsBefore, meanwhile(), settled);
+        Step step = step("step");
+        List<Occurrence> meanwhile = meanwhile();
+        return new Doubt(why, number, step, stepsBefore, meanwhile, which == 1, which == 2 ? decision() : null);
     }
 
     private @Nullable Work work() {

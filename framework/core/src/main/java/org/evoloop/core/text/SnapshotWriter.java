@@ -51,7 +51,7 @@ final class SnapshotWriter {
     private void visit(Snapshot.OpenVisit visit) {
         items.begin("visit")
                 .number(visit.number())
-                .choice(visit.over(), "over", "on")
+                .choice(visit.startOwed() ? 2 : visit.over() ? 1 : 0, SnapshotReader.VISITS)
                 .end();
         transition("by", visit.by());
         items.begin("deadlines").number(visit.deadlines().size()).end();
@@ -172,11 +172,14 @@ final class SnapshotWriter {
         items.beginSome("doubt")
                 .number(doubt.number())
                 .number(doubt.stepsBefore())
-                .choice(doubt.settled(), "settled", "open")
+                .choice(doubt.interrupted() != null ? 2 : doubt.settled() ? 1 : 0, SnapshotReader.DOUBTS)
                 .text(doubt.why())
                 .end();
         step("step", doubt.step());
         occurrences(doubt.meanwhile());
+        if (doubt.interrupted() != null) {
+            decision(doubt.interrupted());
+        }
     }
 
     private void work(@Nullable Work work) {

@@ -153,6 +153,21 @@ class VisitTest {
     }
 
     @Test
+    void aFunctionThatSaysThatItFailsIsReportedAndContinues() {
+        visit.run(running -> {
+            running.failed("not found");
+            running.finish("timeout");
+        });
+        assertThat(log.failures)
+                .singleElement()
+                .satisfies(cause -> assertThat(cause).hasMessage("not found"));
+        assertThat(log.events).containsExactly("finished timeout");
+        visit.end();
+        visit.failed("too late");
+        assertThat(log.failures).hasSize(1);
+    }
+
+    @Test
     void aFunctionThatThrowsIsReportedUnlessItWasInterruptedBecauseItsStateWasLeft() {
         visit.run(running -> {
             throw new InterruptedException("for no reason");

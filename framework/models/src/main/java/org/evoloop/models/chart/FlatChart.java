@@ -2,9 +2,9 @@ package org.evoloop.models.chart;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
 import java.util.function.Function;
 import org.evoloop.statechart.Arc;
+import org.evoloop.statechart.DeviceUse;
 import org.evoloop.statechart.Place;
 import org.evoloop.statechart.Region;
 import org.evoloop.statechart.Statechart;
@@ -27,21 +27,25 @@ public final class FlatChart {
                 machine.initial(),
                 List.copyOf(machine.states()),
                 machine.transitions(),
-                machine::deferred,
+                state -> machine,
                 machine.events().stream().map(Event::name).distinct().toList());
     }
 
-    /** A chart of any states and transitions, for example of two machines together. */
+    /**
+     * A chart of any states and transitions, for example of two machines together.
+     *
+     * @param owner the machine that each state belongs to
+     */
     public static Statechart of(
             String name,
             State initial,
             List<State> states,
             List<Transition> transitions,
-            Function<State, Set<Event>> deferred,
+            Function<State, StateMachine> owner,
             List<String> events) {
         List<Vertex> vertices = new ArrayList<>();
         vertices.add(new Vertex.Pseudostate(INITIAL, "", Place.NONE, Vertex.Kind.INITIAL));
-        states.forEach(state -> vertices.add(state(state, transitions, deferred.apply(state))));
+        states.forEach(state -> vertices.add(state(state, transitions, owner.apply(state))));
         List<Arc> arcs = new ArrayList<>();
         arcs.add(new Arc(Place.NONE, INITIAL, key(initial), List.of(), "", List.of(), Arc.Kind.EXTERNAL));
         transitions.stream()
@@ -51,7 +55,7 @@ public final class FlatChart {
         return new Statechart(name, Place.NONE, List.of(top), events);
     }
 
-    private static Vertex.ChartState state(State state, List<Transition> transitions, Set<Event> deferred) {
+    private static Vertex.ChartState state(State state, List<Transition> transitions, StateMachine owner) {
         List<Arc> internal = transitions.stream()
                 .filter(transition ->
                         transition.internal() && transition.source().equals(state))
@@ -65,9 +69,10 @@ public final class FlatChart {
                 List.of(),
                 List.of(),
                 internal,
-                deferred.stream().map(Event::toString).toList(),
+                owner.deferred(state).stream().map(Event::toString).toList(),
                 List.of(),
-                List.of());
+                List.of(),
+                DeviceUse.of(owner, state));
     }
 
     /** The arc of {@code transition}. */

@@ -28,6 +28,7 @@ public final class StateLabel {
     /** The lines below the state's name. */
     public static List<String> belowName(ChartState state) {
         return Stream.of(
+                        Stream.of(state.use().keywords()).filter(keywords -> !keywords.isEmpty()),
                         state.entry().stream().map(behavior -> "entry / " + behavior),
                         state.doActivities().stream().map(behavior -> "do / " + behavior),
                         state.exit().stream().map(behavior -> "exit / " + behavior),

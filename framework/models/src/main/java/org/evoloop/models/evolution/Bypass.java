@@ -102,7 +102,7 @@ public record Bypass(ModelPair pair, List<Line> lines, List<Configuration> stopp
             return pair.original().triggers().contains(event.trigger()) ? Kind.IGNORED : Kind.UNKNOWN;
         }
         List<Step> sent = decision.steps();
-        boolean same = decision instanceof Decision.ExistingState
+        boolean same = !(decision instanceof Decision.Impossible)
                 && sent.size() == 1
                 && sent.get(0).transition().equals(step.transition());
         return same ? Kind.SAME : Kind.OTHER;

@@ -8,6 +8,7 @@ import org.evoloop.evolution.Decision;
 import org.evoloop.models.evolution.Bypass.Kind;
 import org.evoloop.models.evolution.Bypass.Line;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
 
 /** A bypass as text. */
 public final class BypassText {
@@ -28,7 +29,9 @@ public final class BypassText {
 
     private static String what(Line line) {
         return switch (line.kind()) {
-            case SAME -> "the same: the device goes to " + line.device();
+            case SAME ->
+                "the same: the device goes to " + line.device()
+                        + (line.decision() instanceof Decision.NewState ? rest(line) : "");
             case OTHER -> "something else: the device goes to " + line.device() + rest(line);
             case IGNORED -> "ignored by the device in " + line.device() + rest(line);
             case UNKNOWN -> "unknown to the device, which stays in " + line.device() + rest(line);
@@ -61,7 +64,18 @@ public final class BypassText {
         if (!timers.isEmpty()) {
             parts.add("no timer runs for " + timers);
         }
-        return String.join(", ", parts) + ": the device stays in " + at.original();
+        return String.join(", ", parts) + ": the device " + leaves(at.original(), bypass);
+    }
+
+    /** What becomes of the device in a state while nothing is sent to it. */
+    private static String leaves(State original, Bypass bypass) {
+        String own = bypass.pair().original().transitionsFrom(original).stream()
+                .map(transition -> transition.event().trigger())
+                .filter(bypass.pair().original().spontaneous()::contains)
+                .map(Event::toString)
+                .distinct()
+                .collect(Collectors.joining(" or "));
+        return own.isEmpty() ? "stays in " + original : "is in " + original + " until " + own;
     }
 
     private static long count(Bypass bypass, Kind kind) {

@@ -32,6 +32,9 @@ public final class DifferenceDiagram {
         Map<String, Tone> vertexTones = new HashMap<>();
         difference.states().added().forEach(state -> vertexTones.put(FlatChart.key(state), Tone.ADDED));
         difference.states().removed().forEach(state -> vertexTones.put(FlatChart.key(state), Tone.REMOVED));
+        difference.uses().stream()
+                .filter(changed -> !pair.isNew(changed.state()))
+                .forEach(changed -> vertexTones.put(FlatChart.key(changed.state()), Tone.REROUTED));
         List<State> states = Stream.concat(pair.evolved().states().stream(), difference.states().removed().stream())
                 .toList();
         return ChartDiagram.of(
@@ -40,7 +43,7 @@ public final class DifferenceDiagram {
                         pair.evolved().initial(),
                         states,
                         all,
-                        state -> (pair.evolved().hasState(state) ? pair.evolved() : pair.original()).deferred(state),
+                        state -> pair.evolved().hasState(state) ? pair.evolved() : pair.original(),
                         List.of()),
                 vertex -> vertexTones.getOrDefault(vertex.key(), Tone.PLAIN),
                 arc -> arcTones.getOrDefault(arc, Tone.PLAIN));

@@ -23,6 +23,10 @@ public final class DifferenceText {
         }
         names(lines, "states", difference.states());
         names(lines, "events", difference.events());
+        if (!difference.uses().isEmpty()) {
+            lines.add("device");
+            difference.uses().forEach(change -> lines.add(use(change)));
+        }
         lines.add("transitions");
         transitions(lines, "kept", difference.transitions().kept());
         transitions(lines, "added", difference.transitions().added());
@@ -31,6 +35,13 @@ public final class DifferenceText {
         }
         transitions(lines, "removed", difference.transitions().removed());
         return String.join("\n", lines) + "\n";
+    }
+
+    private static String use(ModelDifference.UseChange change) {
+        String kind = change.before().isNone() ? "added" : change.after().isNone() ? "removed" : "changed";
+        return String.format("  %-9s ", kind) + change.state() + " "
+                + (change.after().isNone() ? change.before() : change.after()).keywords()
+                + (kind.equals("changed") ? "  (before: " + change.before().keywords() + ")" : "");
     }
 
     private static <T> void names(List<String> lines, String what, Parts<T> parts) {

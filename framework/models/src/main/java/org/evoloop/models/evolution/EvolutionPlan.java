@@ -38,7 +38,7 @@ public record EvolutionPlan(ModelPair pair, DeviceEvents device, List<Line> line
         BY_DEVICE,
         /** The device is already in the right state. */
         NOTHING,
-        /** A new function starts or continues. */
+        /** A new function starts or continues, after a path to the device state if the new state has one. */
         NEW_FUNCTION,
         /** It cannot be carried out. */
         IMPOSSIBLE

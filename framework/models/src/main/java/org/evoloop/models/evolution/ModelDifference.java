@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Predicate;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.statechart.DeviceUse;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
@@ -19,11 +20,17 @@ import org.evoloop.statemachine.Transition;
  *
  * @param transitions without those that are rerouted
  * @param rerouted transitions with another target or other effects
+ * @param uses states of the new model with a device state or sends that they did not have before, or no longer have
  */
 public record ModelDifference(
-        Parts<State> states, Parts<Event> events, Parts<Transition> transitions, List<Rerouted> rerouted) {
+        Parts<State> states,
+        Parts<Event> events,
+        Parts<Transition> transitions,
+        List<Rerouted> rerouted,
+        List<UseChange> uses) {
     public ModelDifference {
         rerouted = List.copyOf(rerouted);
+        uses = List.copyOf(uses);
     }
 
     /** Each in the order of its model; {@code kept} in the order of the new model. */
@@ -45,6 +52,9 @@ public record ModelDifference(
 
     /** Two transitions with the same source and event, one of each model. */
     public record Rerouted(Transition before, Transition after) {}
+
+    /** What a state of the new model has to do with the device, and what it had before. */
+    public record UseChange(State state, DeviceUse before, DeviceUse after) {}
 
     /** The difference between the two models of {@code pair}. */
     public static ModelDifference of(ModelPair pair) {
@@ -77,7 +87,19 @@ public record ModelDifference(
                         pair::isNew),
                 Parts.of(known, heard::contains, heard, event -> !known.contains(event)),
                 new Parts<>(kept, added, removed),
-                rerouted);
+                rerouted,
+                pair.evolved().states().stream()
+                        .map(state -> use(pair, state))
+                        .filter(use -> !use.before().equals(use.after()))
+                        .toList());
+    }
+
+    private static UseChange use(ModelPair pair, State state) {
+        DeviceUse before = pair.deviceStates(state).stream()
+                .findFirst()
+                .map(same -> DeviceUse.of(pair.original(), same))
+                .orElse(DeviceUse.NONE);
+        return new UseChange(state, before, DeviceUse.of(pair.evolved(), state));
     }
 
     private static boolean isSame(Transition before, Transition after, ModelPair pair) {

@@ -5,10 +5,12 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.evoloop.evolution.Fallback;
+import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.OnFailure;
 import org.evoloop.evolution.Step;
 import org.evoloop.models.evolution.EvolutionPlan.Line;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
 
 /** A plan as text. */
 public final class PlanText {
@@ -32,7 +34,7 @@ public final class PlanText {
                         "cost of " + event + ": " + plan.device().costs().get(event)));
         lines.add("(device, system)");
         plan.lines().forEach(line -> {
-            lines.add(line(line));
+            lines.add(line(line, plan.pair()));
             line.fallbacks().forEach(fallback -> lines.add("    " + fallback(fallback)));
         });
         plan.unreached().forEach(transition -> lines.add("never taken: " + DifferenceText.label(transition)));
@@ -44,8 +46,8 @@ public final class PlanText {
         return names.isEmpty() ? "nothing" : names;
     }
 
-    private static String line(Line line) {
-        return line.at() + "  " + DifferenceText.label(line.transition()) + ":  " + what(line);
+    private static String line(Line line, ModelPair pair) {
+        return line.at() + "  " + DifferenceText.label(line.transition()) + ":  " + what(line, pair);
     }
 
     private static String fallback(Fallback fallback) {
@@ -60,7 +62,7 @@ public final class PlanText {
                 + (way == null ? (back ? "NO WAY BACK" : "NO OTHER WAY") + ", the device stays there" : then + sent);
     }
 
-    private static String what(Line line) {
+    private static String what(Line line, ModelPair pair) {
         String sent = line.sent().stream().map(step -> step.trigger().name()).collect(Collectors.joining(", "));
         return switch (line.kind()) {
             case SAME_EVENT -> "same event " + sent;
@@ -69,10 +71,24 @@ public final class PlanText {
             case NOTHING ->
                 "nothing to send, the device is in " + line.transition().target();
             case NEW_FUNCTION ->
-                (line.transition().internal() ? "stays in new function " : "new function ")
-                        + line.transition().target();
+                (sent.isEmpty() ? "" : "path " + sent + way(line) + ", ")
+                        + (line.transition().internal() ? "stays in new function " : "new function ")
+                        + line.transition().target()
+                        + where(line, pair);
             case IMPOSSIBLE -> "IMPOSSIBLE: " + line.reason();
         };
+    }
+
+    /** Where a new state has the device; empty if it may be anywhere. */
+    private static String where(Line line, ModelPair pair) {
+        if (pair.whereDeviceMustBe(line.transition().target()).isEmpty()) {
+            return "";
+        }
+        List<Step> steps = line.steps();
+        State reached = steps.isEmpty()
+                ? line.at().original()
+                : steps.get(steps.size() - 1).target();
+        return ", the device in " + reached;
     }
 
     /** {@code Clean --Clean--> On --Spot--> Spot}. */

@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.evoloop.statechart.DeviceUse;
 import org.evoloop.statechart.Spontaneous;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.Names;
@@ -86,7 +87,7 @@ public final class AstahWriter {
     }
 
     private void state(State state) {
-        xml.open("CompositeState", id(state), state.name());
+        xml.open("CompositeState", id(state), DeviceUse.of(machine, state).mark(state.name()));
         xml.actions("State.doActivity", id(state) + "-do", machine.activities(state));
         xml.deferrable(id(state) + "-later", plainlyDeferred(state));
         for (int number = 0; number < transitions.size(); number++) {

@@ -3,6 +3,7 @@ package org.evoloop.models.flat;
 import java.util.ArrayList;
 import java.util.List;
 import org.evoloop.statechart.Arc;
+import org.evoloop.statechart.DeviceUse;
 import org.evoloop.statechart.Place;
 import org.evoloop.statechart.Region;
 import org.evoloop.statechart.Spontaneous;
@@ -80,7 +81,7 @@ public final class FlatDrawing {
                 .toList();
         return new ChartState(
                 key(state),
-                state.name(),
+                DeviceUse.of(machine, state).mark(state.name()),
                 Place.NONE,
                 List.of(),
                 List.of(),

@@ -16,6 +16,7 @@ public final class FlatLosses {
      * <ul>
      *   <li>timers and activities that continue across a transition, since flat states have no enclosing state
      *   <li>several guards of an internal transition, which become one text
+     *   <li>that a device state is the one of an enclosing state
      *   <li>states that differ only in what the machine remembers
      *   <li>an event that is deferred under a guard
      * </ul>
@@ -35,6 +36,11 @@ public final class FlatLosses {
             machine.deferred(state).stream()
                     .filter(event -> !event.guards().isEmpty())
                     .forEach(event -> losses.add(state + " defers " + event + ", which a flat drawing swallows"));
+            if (machine.inheritsDeviceState(state)) {
+                losses.add(state + " has the device state " + machine.deviceState(state)
+                        + " of a state around it, which becomes its own; remove it there if the device has "
+                        + state + ", too");
+            }
             if (!machine.withoutMemory(state).equals(state)) {
                 losses.add(state + " is the state " + machine.withoutMemory(state)
                         + " with something remembered; a flat drawing makes it a state of its own");

@@ -3,6 +3,7 @@ package org.evoloop.models.flat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
+import org.evoloop.statechart.DeviceUse;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
@@ -33,6 +34,13 @@ public final class TransitionTable {
                 machine.initialEffects().isEmpty() ? "" : " / " + String.join("; ", machine.initialEffects());
         line(text, machine + ", starts in " + machine.initial() + initially);
         for (State state : machine.states()) {
+            DeviceUse use = DeviceUse.of(machine, state);
+            if (!use.device().isEmpty()) {
+                line(text, state + " has the device in " + use.device());
+            }
+            if (!use.sends().isEmpty()) {
+                line(text, state + " may send " + String.join("; ", use.sends()));
+            }
             if (!machine.activities(state).isEmpty()) {
                 line(text, state + " does " + String.join("; ", machine.activities(state)));
             }

@@ -47,7 +47,13 @@ public record MachineJson(List<Machine> machines) {
             String target,
             String kind) {}
 
-    /** A state with its behaviors; {@code parent} is null at the top level. */
+    /**
+     * A state with its behaviors.
+     *
+     * @param parent null at the top level
+     * @param device its device state, null if it has none
+     * @param sends what its function may send
+     */
     public record Nesting(
             String state,
             @Nullable String parent,
@@ -55,7 +61,9 @@ public record MachineJson(List<Machine> machines) {
             List<String> entry,
             List<String> doActivities,
             List<String> exit,
-            List<String> deferred) {}
+            List<String> deferred,
+            @Nullable String device,
+            List<String> sends) {}
 
     /** A region; {@code state} is null for a region of the machine itself. */
     public record Part(
@@ -90,11 +98,21 @@ public record MachineJson(List<Machine> machines) {
                         state.entry(),
                         state.doActivities(),
                         state.exit(),
-                        state.deferred()));
+                        state.deferred(),
+                        Json.orNull(state.use().device()),
+                        state.use().sends()));
                 state.regions().forEach(region -> regions.add(part(name, region, index)));
             } else if (vertex instanceof FinalState end) {
-                hierarchy.add(
-                        new Nesting(name, Json.orNull(parent), true, end.entry(), List.of(), end.exit(), List.of()));
+                hierarchy.add(new Nesting(
+                        name,
+                        Json.orNull(parent),
+                        true,
+                        end.entry(),
+                        List.of(),
+                        end.exit(),
+                        List.of(),
+                        null,
+                        List.of()));
             } else {
                 points.add(new Point(name, ChartIndex.kind(vertex), Json.orNull(parent)));
             }

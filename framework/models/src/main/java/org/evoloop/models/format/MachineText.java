@@ -70,6 +70,9 @@ public final class MachineText {
     private void vertex(Vertex vertex, int depth) {
         if (vertex instanceof ChartState state) {
             line(depth, index.name(state.key()));
+            if (!state.use().isNone()) {
+                line(depth + 1, state.use().keywords());
+            }
             state.entry().forEach(behavior -> line(depth + 1, "entry / " + behavior));
             state.doActivities().forEach(behavior -> line(depth + 1, "do / " + behavior));
             state.exit().forEach(behavior -> line(depth + 1, "exit / " + behavior));

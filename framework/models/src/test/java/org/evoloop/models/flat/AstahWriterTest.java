@@ -33,6 +33,10 @@ class AstahWriterTest {
         builder.initial(states.get(0)).initialEffects(some(EFFECTS, random));
         for (String state : states) {
             builder.state(state).activities(state, some(EFFECTS, random));
+            if (random.nextInt(4) == 0) {
+                builder.deviceState(state, pick(NAMES, random));
+            }
+            some(EVENTS, random).forEach(event -> builder.sends(state, event));
             for (String event : EVENTS) {
                 branches(builder, state, event, states, random);
             }
@@ -81,6 +85,8 @@ class AstahWriterTest {
         for (State state : machine.states()) {
             assertThat(read.activities(state)).isEqualTo(machine.activities(state));
             assertThat(read.deferred(state)).isEqualTo(machine.deferred(state));
+            assertThat(read.deviceState(state)).isEqualTo(machine.deviceState(state));
+            assertThat(read.sends(state)).containsExactlyElementsOf(machine.sends(state));
             assertThat(plain(read.transitionsFrom(state)))
                     .containsExactlyInAnyOrderElementsOf(plain(machine.transitionsFrom(state)));
         }
@@ -121,6 +127,25 @@ class AstahWriterTest {
 
         assertReadsBack(machine);
         assertThat(TransitionTable.write(machine)).contains("B defers e\n");
+    }
+
+    @Test
+    void deviceStatesReadBack() {
+        StateMachine machine = StateMachine.named("m")
+                .initial("A")
+                .transition("A", "e", "Gap")
+                .transition("A", "f", "Inner")
+                .deviceState("Gap", "StopUp")
+                .sends("Gap", "press")
+                .inheritedDeviceState("Inner", "StopUp")
+                .build();
+
+        assertReadsBack(machine);
+        assertThat(TransitionTable.write(machine)).contains("Gap has the device in StopUp\nGap may send press\n");
+        assertThat(AstahWriter.losses(machine))
+                .singleElement()
+                .asString()
+                .startsWith("Inner has the device state StopUp of a state around it, which becomes its own");
     }
 
     private static Transition guarded(String target, String... guards) {

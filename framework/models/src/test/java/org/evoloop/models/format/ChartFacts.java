@@ -33,6 +33,8 @@ final class ChartFacts {
                 drawn.addAll(state.doActivities());
                 drawn.addAll(state.exit());
                 drawn.addAll(state.deferred());
+                drawn.add(state.use().device());
+                drawn.addAll(state.use().sends());
             }
         }
         for (Arc arc : index.arcs()) {

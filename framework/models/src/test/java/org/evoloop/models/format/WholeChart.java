@@ -28,7 +28,8 @@ final class WholeChart {
         }
         vertices.add(new FinalState("final", "the \"very\" end", Place.NONE));
         Region left = region("left side", ChartState.simple("a", "same", Place.NONE));
-        Region right = region("right side", ChartState.simple("b", "same", Place.NONE));
+        Region right =
+                region("right side", ChartState.simple("b", "«device <up> & stop» «sends speed» same", Place.NONE));
         vertices.add(new ChartState(
                 "outer",
                 "Outer & co",

@@ -35,10 +35,7 @@ public record XmiHead(
         QName root = stream.getName();
         Map<String, String> attributes = new HashMap<>();
         for (int i = 0; i < stream.getAttributeCount(); i++) {
-            String prefix = stream.getAttributePrefix(i);
-            String name = stream.getAttributeLocalName(i);
-            attributes.put(
-                    prefix == null || prefix.isEmpty() ? name : prefix + ':' + name, stream.getAttributeValue(i));
+            attributes.put(XmlNode.attributeName(stream, i), stream.getAttributeValue(i));
         }
         Set<String> namespaces = new HashSet<>();
         for (int i = 0; i < stream.getNamespaceCount(); i++) {

@@ -14,14 +14,19 @@ import org.jspecify.annotations.Nullable;
  * An element of a file with its contents, for dialects whose elements refer to each other. Dialects build it only for
  * the parts of a file that they need, within the limits of {@link XmiStream#keep}.
  *
- * <p>Attributes of any version of the XMI namespace are named {@code xmi:id}, {@code xmi:type} and so on. Attributes of
- * other namespaces have the prefix used in the file. {@code xsi:type} becomes {@code xmi:type}.
+ * <p>Attributes of any version of the XMI namespace are named {@code xmi:id}, {@code xmi:type} and so on, and those of
+ * this project {@code evoloop:device} and so on. Attributes of other namespaces have the prefix used in the file. {@code
+ * xsi:type} becomes {@code xmi:type}.
  *
  * <p>An element equals only itself.
  *
  * <p>Threading: immutable once read.
  */
 public final class XmlNode {
+    /** The prefix of this project's own attributes. */
+    public static final String EVOLOOP = "evoloop:";
+
+    private static final String EVOLOOP_NAMESPACE = "urn:evoloop";
     private static final String SCHEMA_INSTANCE = "http://www.w3.org/2001/XMLSchema-instance";
 
     private final String namespace;
@@ -118,14 +123,16 @@ public final class XmlNode {
         return "";
     }
 
-    private static String attributeName(XmiStream stream, int index) {
+    /** The name of an attribute of the element whose start tag is the current event, as above. */
+    static String attributeName(XmiStream stream, int index) {
         String uri = text(stream.getAttributeNamespace(index));
         String localName = stream.getAttributeLocalName(index);
         if (uri.isEmpty()) {
             return localName;
         }
         boolean xmi = isXmi(uri) || (uri.equals(SCHEMA_INSTANCE) && localName.equals("type"));
-        return ((xmi ? "xmi" : stream.getAttributePrefix(index)) + ':' + localName).intern();
+        String prefix = (xmi ? "xmi" : stream.getAttributePrefix(index)) + ':';
+        return ((uri.equals(EVOLOOP_NAMESPACE) ? EVOLOOP : prefix) + localName).intern();
     }
 
     private static String text(@Nullable String text) {

@@ -253,7 +253,7 @@ final class ScxmlArcs {
             List<String> names,
             String guard,
             Supplier<String> label) {
-        List<String> triggers = isSpontaneous(transition)
+        List<String> triggers = ScxmlOwn.isSpontaneous(transition)
                 ? names.stream().map(Spontaneous::mark).toList()
                 : names;
         Place place = new Place("", transition.line());
@@ -267,18 +267,6 @@ final class ScxmlArcs {
         }
         Arc.Kind kind = isLocal(transition, state, targets) ? Arc.Kind.LOCAL : Arc.Kind.EXTERNAL;
         add(region(state), new Arc(place, key, target(targets, label, place), triggers, guard, effects, kind, order));
-    }
-
-    /** SCXML has no keywords, but allows attributes of other namespaces. */
-    private static boolean isSpontaneous(XmlNode transition) {
-        for (int i = 0; i < transition.attributeCount(); i++) {
-            String name = transition.attributeName(i);
-            if (name.endsWith(":spontaneous")
-                    && transition.attribute(name).strip().equals("true")) {
-                return true;
-            }
-        }
-        return false;
     }
 
     private static boolean isLocal(XmlNode transition, ScxmlVertex state, List<ScxmlVertex> targets) {

@@ -185,7 +185,8 @@ final class ScxmlChartReader {
                 arcs.internal(vertex),
                 List.of(),
                 regions,
-                List.of());
+                List.of(),
+                ScxmlOwn.use(vertex.node()));
     }
 
     private static List<String> invoked(ScxmlVertex vertex) {
@@ -203,7 +204,7 @@ final class ScxmlChartReader {
 
     /** The id, or the name that {@link ScxmlWriter} gives what cannot have its name as an id. */
     private static String shown(ScxmlVertex vertex) {
-        String name = vertex.node().attribute(ScxmlWriter.NAME);
+        String name = vertex.node().attribute(XmlNode.EVOLOOP + ScxmlOwn.NAME);
         return name.isEmpty() ? vertex.id() : name;
     }
 

@@ -39,6 +39,7 @@ final class ScxmlLosses {
         if (document.strayTextLine() > 0) {
             problems.add(document.strayTextLine(), "text in scxml means nothing; remove it");
         }
+        ScxmlOwn.check(document, problems);
         document.children().forEach(child -> losses.check(child, "scxml"));
     }
 
@@ -47,6 +48,7 @@ final class ScxmlLosses {
         if (ScxmlVocabulary.isEditors(node) || KEPT.contains(node.name())) {
             return;
         }
+        ScxmlOwn.check(node, problems);
         text(node, where);
         value(node, where);
         attributes(node, where);

@@ -30,9 +30,6 @@ import org.evoloop.xmi.dialect.Problems;
  * <p>Threading: for one thread.
  */
 public final class ScxmlWriter {
-    /** The attribute for a name that cannot be an id, such as {@code (A, B)}. */
-    static final String NAME = "ev:name";
-
     /** What SCXML takes for the id of a state without further ado. */
     private static final Pattern ID = Pattern.compile("[\\p{L}_][\\p{L}\\p{N}_.-]*");
 
@@ -232,7 +229,11 @@ public final class ScxmlWriter {
     private void state(ChartState state, int depth) {
         boolean parallel = state.regions().size() > 1;
         String element = parallel ? "parallel" : "state";
-        line(depth, "<" + element + identity(state) + ">");
+        line(
+                depth,
+                "<" + element + identity(state)
+                        + attribute("ev:device", state.use().device())
+                        + attribute("ev:sends", String.join(" ", state.use().sends())) + ">");
         int contents = text.length();
         actions("onentry", state.entry(), depth + 1);
         actions("onexit", state.exit(), depth + 1);
@@ -373,7 +374,7 @@ public final class ScxmlWriter {
         String id = ids.getOrDefault(vertex.key(), "");
         // An end without a name is called so.
         String name = vertex instanceof FinalState && vertex.name().isEmpty() ? "final" : vertex.name();
-        return attribute("id", id) + (name.isEmpty() || name.equals(id) ? "" : attribute(NAME, name));
+        return attribute("id", id) + (name.isEmpty() || name.equals(id) ? "" : attribute("ev:" + ScxmlOwn.NAME, name));
     }
 
     private static String attribute(String name, String value) {

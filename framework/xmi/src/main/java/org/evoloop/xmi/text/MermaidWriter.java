@@ -227,10 +227,12 @@ public final class MermaidWriter {
             line(depth, "state " + id + " <<" + point.kind().name().toLowerCase(java.util.Locale.ROOT) + ">>");
         } else if (vertex instanceof ChartState state) {
             List<String> below = below(state);
-            boolean plain = state.name().equals(id) && below.isEmpty();
+            boolean plain =
+                    state.name().equals(id) && below.isEmpty() && state.use().isNone();
+            String shown = Words.name(state.use().mark(state.name()));
             if (!state.regions().isEmpty()) {
                 // Mermaid has no other place for what such a state does.
-                String name = Words.name(state.name())
+                String name = shown
                         + below.stream()
                                 .map(behavior -> "<br>" + behavior.replace("\"", "#quot;"))
                                 .collect(Collectors.joining());
@@ -240,7 +242,7 @@ public final class MermaidWriter {
                 return;
             }
             if (!plain) {
-                line(depth, "state \"" + Words.name(state.name()) + "\" as " + id);
+                line(depth, "state \"" + shown + "\" as " + id);
             } else if (!mentioned) {
                 // Mermaid would look for the contents of "state ID" in the lines below.
                 line(depth, id);

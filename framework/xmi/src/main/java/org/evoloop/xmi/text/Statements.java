@@ -4,8 +4,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.evoloop.statechart.Arc;
-import org.evoloop.statechart.Place;
 import org.evoloop.statechart.Statechart;
 import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.xmi.dialect.Problems;
@@ -33,9 +31,6 @@ final class Statements {
             "entrypoint", Kind.ENTRY_POINT,
             "exitpoint", Kind.EXIT_POINT);
     private static final Pattern SEPARATOR = Pattern.compile("(--+|\\|\\|)\\s*");
-    private static final Pattern BEHAVIOR = Pattern.compile("(?i)\\s*+(entry|exit|do)\\s*+[/:](.*)", Pattern.DOTALL);
-    private static final Pattern DEFER = Pattern.compile("(?i)defer\\s*+[/:](.*)", Pattern.DOTALL);
-    private static final Pattern IS_DEFERRED = Pattern.compile("(?i)([^/]*)/\\s*+defer", Pattern.DOTALL);
     /** Nobody writes longer ones, and reading them may take time quadratic in their length. */
     private static final int LONGEST_LINE = 4_000;
 
@@ -47,6 +42,7 @@ final class Statements {
     private final Problems problems;
     private final TextTree tree;
     private final Ignored ignored;
+    private final Behaviors behaviors;
 
     /** A line that cannot be understood. */
     private static final class Refusal extends Exception {
@@ -63,6 +59,7 @@ final class Statements {
         this.problems = problems;
         this.tree = new TextTree(block.file(), syntax, block.line(), problems);
         this.ignored = new Ignored(syntax, problems);
+        this.behaviors = new Behaviors(syntax, problems);
     }
 
     Statechart chart(String title) {
@@ -214,6 +211,8 @@ final class Statements {
             state.become(kind);
         } else if (key.equals("end") && syntax == Syntax.PLANTUML) {
             state.becomeEnd();
+        } else if (key.matches("(device|sends)\\s.*")) {
+            state.keywords.add("«" + word + "»");
         } else if (syntax == Syntax.MERMAID) {
             throw new Refusal(
                     column,
@@ -451,51 +450,10 @@ final class Statements {
     }
 
     private void behavior(TextState state, String text, int line, int column) throws Refusal {
-        Matcher behavior = BEHAVIOR.matcher(text);
-        String deferred = deferred(text.strip());
         try {
-            if (behavior.matches()) {
-                List<String> texts =
-                        Label.parse("/" + behavior.group(2), column, syntax).effects();
-                switch (behavior.group(1).toLowerCase(java.util.Locale.ROOT)) {
-                    case "entry" -> state.entry.addAll(texts);
-                    case "exit" -> state.exit.addAll(texts);
-                    default -> state.activities.addAll(texts);
-                }
-            } else if (!deferred.isEmpty()) {
-                state.deferred.addAll(Label.parse(deferred, column, syntax).triggers());
-            } else if (text.indexOf('/') >= 0) {
-                internal(state, Label.parse(text, column, syntax), line, column);
-            } else if (!text.isBlank()) {
-                problems.note(
-                        line,
-                        "column " + column + ": " + Problems.quote(text.strip()) + " describes state '" + state.id()
-                                + "' and does nothing; write entry / EFFECT, exit / EFFECT or EVENT / EFFECT for what"
-                                + " it does");
-            }
+            behaviors.read(state, text, line, column);
         } catch (Label.Meaningless meaningless) {
             throw new Refusal(meaningless.column, meaningless.text());
         }
-    }
-
-    /** The events that are deferred, {@code defer / e} or {@code e / defer}; empty if this is something else. */
-    private static String deferred(String text) {
-        Matcher defer = DEFER.matcher(text);
-        Matcher isDeferred = IS_DEFERRED.matcher(text);
-        return defer.matches() ? defer.group(1) : isDeferred.matches() ? isDeferred.group(1) : "";
-    }
-
-    private void internal(TextState state, Label label, int line, int column) throws Refusal {
-        if (label.triggers().isEmpty()) {
-            throw new Refusal(column, "an internal transition needs an event; write EVENT [guard] / effect");
-        }
-        state.internal.add(new Arc(
-                new Place("", line),
-                state.id(),
-                state.id(),
-                label.triggers(),
-                String.join(Words.BETWEEN_GUARDS, label.guards()),
-                label.effects(),
-                Arc.Kind.INTERNAL));
     }
 }

@@ -27,6 +27,9 @@ final class TextState {
     private @Nullable Kind kind;
 
     private boolean end;
+    /** Such as {@code «device On»}. */
+    final List<String> keywords = new ArrayList<>();
+
     final List<Scope> regions = new ArrayList<>();
     final List<String> entry = new ArrayList<>();
     final List<String> exit = new ArrayList<>();
@@ -52,6 +55,11 @@ final class TextState {
 
     String name() {
         return name;
+    }
+
+    /** The name, preceded by the keywords in guillemets that are written elsewhere. */
+    String marked() {
+        return keywords.isEmpty() ? name : String.join(" ", keywords) + " " + name;
     }
 
     void rename(String shown) {

@@ -237,7 +237,7 @@ final class TextTree {
         if (kind == null && !state.isEnd()) {
             return new ChartState(
                     state.id(),
-                    state.name(),
+                    state.marked(),
                     state.place(),
                     state.entry,
                     state.exit,

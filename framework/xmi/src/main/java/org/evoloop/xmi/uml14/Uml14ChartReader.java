@@ -13,6 +13,7 @@ import org.evoloop.statechart.Vertex.FinalState;
 import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.statechart.Vertex.Pseudostate;
 import org.evoloop.xmi.dialect.ChartScope;
+import org.evoloop.xmi.dialect.DeviceTexts;
 import org.evoloop.xmi.dialect.NamedCompletion;
 import org.evoloop.xmi.dialect.Problems;
 import org.evoloop.xmi.dialect.TransitionEnd;
@@ -162,7 +163,7 @@ final class Uml14ChartReader {
                     .ifPresent(scope::addInternal);
         }
         List<Region> regions = scope.submachine(state.id()).map(this::content).orElseGet(() -> regions(state, scope));
-        return new ChartState(
+        ChartState drawn = new ChartState(
                 key,
                 name,
                 state.place(),
@@ -173,6 +174,7 @@ final class Uml14ChartReader {
                 texts.events(state, "deferrableEvent"),
                 regions,
                 List.of());
+        return DeviceTexts.read(drawn, state.label(), state.stereotypes(), problems);
     }
 
     private Optional<Arc> arc(

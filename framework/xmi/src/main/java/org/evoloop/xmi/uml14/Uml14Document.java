@@ -39,8 +39,8 @@ final class Uml14Document {
             "Procedure",
             "Transition");
 
-    /** Kept for their names, which events and actions use. */
-    private static final Set<String> NAMED = Set.of("Signal", "Exception", "Operation", "Reception");
+    /** Kept for their names, which events, actions and states use. */
+    private static final Set<String> NAMED = Set.of("Signal", "Exception", "Operation", "Reception", "Stereotype");
 
     /** Written by tools into the middle of a machine, but not part of it. */
     private static final Set<String> PRESENTATION = Set.of("taggedValue", "extension", "presentation", "Diagram");

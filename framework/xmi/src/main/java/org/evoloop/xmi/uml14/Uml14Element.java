@@ -96,6 +96,21 @@ record Uml14Element(XmlNode node, Uml14Document document) implements UmlElement 
         return found;
     }
 
+    /** The names of its stereotypes; those of other files, such as a tool's profile, are passed over. */
+    List<String> stereotypes() {
+        Stream<String> ids = Stream.concat(
+                Stream.of(node.attribute("stereotype").strip().split("\\s+", -1)),
+                properties("stereotype")
+                        .flatMap(child -> child.children().stream())
+                        .map(child -> child.attribute("xmi.idref").isEmpty()
+                                ? child.attribute("xmi.id")
+                                : child.attribute("xmi.idref")));
+        return ids.flatMap(id -> document.find(id).stream())
+                .map(Uml14Element::name)
+                .filter(name -> !name.isEmpty())
+                .toList();
+    }
+
     private void find(String property, String id, Problems problems, List<Uml14Element> found) {
         if (document.isAmbiguous(id)) {
             problems.add(

@@ -94,7 +94,7 @@ final class Uml14Vocabulary {
             String name = attribute.startsWith("xmi.") ? Uml14Element.lastPart(attribute) : attribute;
             String value = element.node().attribute(attribute);
             boolean saysNothing = value.isEmpty() || value.equals("false");
-            if (name.indexOf(':') < 0 && !isKnown(name, known) && !saysNothing) {
+            if (isOwn(name) && !isKnown(name, known) && !saysNothing) {
                 refuse(element, element.line(), "attribute " + name, problems);
             }
         }
@@ -110,6 +110,11 @@ final class Uml14Vocabulary {
 
     private static String text(XmlNode node) {
         return "text " + Problems.quote(node.text());
+    }
+
+    /** Whether it is no other tool's extension. */
+    private static boolean isOwn(String attribute) {
+        return attribute.indexOf(':') < 0 || attribute.startsWith(XmlNode.EVOLOOP);
     }
 
     private static boolean isKnown(String name, Set<String> known) {

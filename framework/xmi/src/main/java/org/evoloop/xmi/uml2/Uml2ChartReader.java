@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.evoloop.statechart.Arc;
+import org.evoloop.statechart.DeviceUse;
 import org.evoloop.statechart.Region;
 import org.evoloop.statechart.Statechart;
 import org.evoloop.statechart.Vertex;
@@ -14,6 +15,7 @@ import org.evoloop.statechart.Vertex.FinalState;
 import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.statechart.Vertex.Pseudostate;
 import org.evoloop.xmi.dialect.ChartScope;
+import org.evoloop.xmi.dialect.DeviceTexts;
 import org.evoloop.xmi.dialect.Problems;
 import org.evoloop.xmi.dialect.XmlNode;
 
@@ -140,9 +142,9 @@ final class Uml2ChartReader {
                 .toList();
     }
 
-    private ChartState state(Uml2Element state, ChartScope<Uml2Element> scope, Map<XmlNode, List<Arc>> drawn) {
+    private ChartState state(Uml2Element state, ChartScope<Uml2Element> scope, Map<XmlNode, List<Arc>> arcsOf) {
         String name = problems.nameOrId(state.name(), state.place());
-        List<Region> regions = regions(state, scope, drawn);
+        List<Region> regions = regions(state, scope, arcsOf);
         List<Pseudostate> connections = new ArrayList<>(points(state, scope));
         Optional<ChartScope<Uml2Element>> submachine = scope.submachine(state.id());
         if (submachine.isPresent()) {
@@ -156,7 +158,7 @@ final class Uml2ChartReader {
             connections.addAll(points(submachine.get().machine(), submachine.get()));
         }
         noteOthersThanGuards(state);
-        return new ChartState(
+        ChartState drawn = new ChartState(
                 scope.key(state.id()),
                 name,
                 state.place(),
@@ -167,16 +169,21 @@ final class Uml2ChartReader {
                 triggers.names(state, "deferrableTrigger"),
                 regions,
                 connections);
+        List<String> invariants = references.all(state, "stateInvariant").stream()
+                .map(texts::constraint)
+                .toList();
+        return DeviceTexts.read(drawn, state.label(), invariants, problems);
     }
 
-    /** A constraint is either a guard or a remark, such as the invariant of a state. */
+    /** A constraint is a guard, the device state of a state, or a remark. */
     private void noteOthersThanGuards(Uml2Element owner) {
         List<Uml2Element> rules = new ArrayList<>(owner.owned("ownedRule"));
-        references.all(owner, "stateInvariant").stream()
-                .filter(invariant -> !rules.contains(invariant))
-                .forEach(rules::add);
+        List<Uml2Element> invariant = references.all(owner, "stateInvariant");
+        invariant.stream().filter(some -> !rules.contains(some)).forEach(rules::add);
         for (Uml2Element rule : rules) {
-            if (!texts.isGuard(rule)) {
+            boolean read = invariant.contains(rule)
+                    && DeviceUse.parse(texts.constraint(rule)).isPresent();
+            if (!texts.isGuard(rule) && !read) {
                 problems.note(
                         rule.place(),
                         "constraint " + rule.label() + " of " + owner.type() + " " + owner.label()

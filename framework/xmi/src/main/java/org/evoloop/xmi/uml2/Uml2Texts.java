@@ -98,11 +98,13 @@ final class Uml2Texts {
     private String guardText(Uml2Element constraint) {
         Uml2Vocabulary.check(constraint, problems);
         guardIds.add(constraint.id());
+        return Condition.guard(constraint(constraint));
+    }
+
+    /** The text of a constraint, or else its name. */
+    String constraint(Uml2Element constraint) {
         String text = specification(constraint).strip();
-        if (text.isEmpty()) {
-            text = constraint.name();
-        }
-        return Condition.guard(text);
+        return text.isEmpty() ? constraint.name() : text;
     }
 
     private String specification(Uml2Element constraint) {

@@ -116,7 +116,7 @@ final class Uml2Vocabulary {
                     problems);
         }
         for (String name : element.node().attributeNames()) {
-            if (name.indexOf(':') < 0 && !isKnown(name, known) && !saysNothing(element.attribute(name))) {
+            if (isOwn(name) && !isKnown(name, known) && !saysNothing(element.attribute(name))) {
                 refuse(element, element.place(), "attribute " + name, problems);
             }
         }
@@ -131,6 +131,11 @@ final class Uml2Vocabulary {
     /** Tools may write default values. */
     private static boolean saysNothing(String value) {
         return value.isEmpty() || value.equals("false");
+    }
+
+    /** Whether it is no other tool's extension. */
+    private static boolean isOwn(String attribute) {
+        return attribute.indexOf(':') < 0 || attribute.startsWith(XmlNode.EVOLOOP);
     }
 
     private static boolean isKnown(String name, Set<String> known) {

@@ -56,6 +56,26 @@ class TextReadingTest {
         assertThat(machine.spontaneous()).extracting(Object::toString).containsExactly("done");
     }
 
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "state \"«device On» «sends stop, go» Warm\" as Warm",
+                "Warm : «device On» «sends stop, go»",
+                "Warm : <<device On>>\nWarm : <<sends stop, go>>",
+                "state Warm <<device On>> <<sends stop, go>>",
+            })
+    void keywordsSayWhatAStateHasToDoWithTheDevice(String line) {
+        for (String text : List.of(
+                "stateDiagram-v2\n[*] --> Warm\n" + line + "\n", "@startuml\n[*] --> Warm\n" + line + "\n@enduml\n")) {
+            StateMachine machine = file("F", text).only();
+
+            assertThat(machine.deviceState(machine.initial())).isEqualTo("On");
+            assertThat(machine.sends(machine.initial()))
+                    .extracting(Object::toString)
+                    .containsExactlyInAnyOrder("stop", "go");
+        }
+    }
+
     @Test
     void aMermaidEntityIsItsLetter() {
         assertThat(mermaid(

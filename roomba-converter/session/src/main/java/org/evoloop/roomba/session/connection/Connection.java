@@ -453,11 +453,7 @@ public final class Connection {
         plug.trySend(command);
     }
 
-    /**
-     * Completes a command that the robot may have received in part; ends its control.
-     *
-     * @see Plug#completeWhateverIsPending
-     */
+    /** Completes a command that the robot may have received in part; ends its control. */
     public void completeWhateverIsPending() {
         plug.completeWhateverIsPending();
     }
