@@ -43,6 +43,7 @@ public final class LoadingSuite implements Suite {
             emptySeconds = Math.min(emptySeconds, nothing.cpuSeconds());
         }
         Figures warm = Fork.of(LargePair.class, WARM_HEAP, quick ? "5" : "15").figures();
+        Figures text = Fork.of(ReadText.class, WARM_HEAP, quick ? "20" : "100").figures();
         return List.of(
                 new Row(
                         "read and compile " + Files.size(Path.of(file)) / 1000 + " kB, cold, processor time",
@@ -56,6 +57,7 @@ public final class LoadingSuite implements Suite {
                         read.figures().get("rss"),
                         Row.Goal.atMost(55),
                         Map.of("JDK DOM parse", dom.figures().get("rss"))),
-                LargePair.row(warm));
+                LargePair.row(warm),
+                ReadText.row(text));
     }
 }

@@ -1,9 +1,13 @@
 package org.evoloop.models;
 
+import java.util.List;
 import java.util.concurrent.Callable;
 import org.evoloop.models.flat.AstahWriter;
+import org.evoloop.models.flat.FlatDrawing;
+import org.evoloop.models.flat.FlatLosses;
 import org.evoloop.models.flat.TransitionTable;
 import org.evoloop.statemachine.StateMachine;
+import org.evoloop.xmi.ModelWriter;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -21,7 +25,9 @@ final class FlattenCommand implements Callable<Integer> {
     /** The output formats. */
     enum Format {
         TABLE,
-        XMI
+        XMI,
+        MERMAID,
+        SCXML
     }
 
     @Spec
@@ -36,15 +42,26 @@ final class FlattenCommand implements Callable<Integer> {
     @Option(
             names = "--format",
             defaultValue = "TABLE",
-            description = "One of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}); xmi is Astah's and reads back.")
+            description =
+                    "One of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}); all but the table read back; xmi is Astah's.")
     private Format format;
 
     @Override
     public Integer call() {
         StateMachine machine = ModelReader.flat(reading.reference(reference), spec);
-        if (format == Format.XMI) {
-            AstahWriter.losses(machine).forEach(loss -> Output.note(spec, loss));
-        }
-        return Output.print(spec, format == Format.XMI ? AstahWriter.write(machine) : TransitionTable.write(machine));
+        List<String> losses = switch (format) {
+            case TABLE -> List.of();
+            case XMI -> AstahWriter.losses(machine);
+            case MERMAID, SCXML -> FlatLosses.of(machine);
+        };
+        losses.forEach(loss -> Output.note(spec, loss));
+        return Output.print(
+                spec,
+                switch (format) {
+                    case TABLE -> TransitionTable.write(machine);
+                    case XMI -> AstahWriter.write(machine);
+                    case MERMAID -> ModelWriter.MERMAID.write(FlatDrawing.of(machine));
+                    case SCXML -> ModelWriter.SCXML.write(FlatDrawing.of(machine));
+                });
     }
 }

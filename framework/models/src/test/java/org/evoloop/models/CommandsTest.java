@@ -269,4 +269,38 @@ class CommandsTest {
         assertThat(Tool.run("flatten", directory.resolve("flat.xml").toString()).out())
                 .contains("A 1    e      x and y  one(); two();  B");
     }
+
+    @Test
+    void aFileOfSeveralMachinesIsShownAsMarkdownThatReadsBack(@TempDir Path directory) throws IOException {
+        Path file = Files.writeString(directory.resolve("robot.md"), good("show", Tool.ROBOT, "--format", "mermaid"));
+
+        assertThat(file).content().startsWith("```mermaid\n---\ntitle: original\n---\nstateDiagram-v2\n");
+        assertThat(good("diff", NEW, file + "#new")).doesNotContain("added:", "removed:");
+        assertSameTable(file + "#new");
+    }
+
+    /** In any order: in a text, a state comes where it is first named. */
+    private static void assertSameTable(String reference) {
+        assertThat(good("flatten", reference).lines())
+                .containsExactlyInAnyOrderElementsOf(
+                        good("flatten", NEW).lines().toList());
+    }
+
+    @Test
+    void whatFlattenWritesReadsBack(@TempDir Path directory) throws IOException {
+        for (String format : List.of("mermaid", "scxml")) {
+            Path file = Files.writeString(directory.resolve("new." + format), good("flatten", NEW, "--format", format));
+
+            assertSameTable(file.toString());
+        }
+    }
+
+    @Test
+    void anScxmlDocumentHoldsOneMachine() {
+        Tool several = Tool.run("show", Tool.ROBOT, "--format", "scxml");
+
+        assertThat(several.status()).isEqualTo(2);
+        assertThat(several.err()).contains("an SCXML document holds one machine; name one of", "#original", "#new");
+        assertThat(good("show", NEW, "--format", "scxml")).startsWith("<?xml").contains("name=\"new\"");
+    }
 }

@@ -9,16 +9,20 @@ import java.util.stream.Collectors;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.xmi.astah.AstahDialect;
+import org.evoloop.xmi.dialect.DrawnMachine;
+import org.evoloop.xmi.dialect.ModelInput;
 import org.evoloop.xmi.dialect.Problems;
 import org.evoloop.xmi.dialect.XmiDialect;
 import org.evoloop.xmi.dialect.XmiHead;
 import org.evoloop.xmi.dialect.XmiStream;
 import org.evoloop.xmi.scxml.ScxmlDialect;
+import org.evoloop.xmi.text.TextDialect;
 import org.evoloop.xmi.uml14.Uml14Dialect;
 import org.evoloop.xmi.uml2.Uml2Dialect;
 
 /**
- * The state machines of one XMI file. A machine that cannot be used causes an error only when it is picked.
+ * The state machines of one model file: XMI, SCXML, or a text in Mermaid, PlantUML or Markdown. A machine that cannot
+ * be used causes an error only when it is picked.
  *
  * <p>Threading: immutable once read.
  *
@@ -51,11 +55,11 @@ public final class XmiFile {
     /**
      * Reads the file once, in bounded memory.
      *
-     * @throws ModelException if it cannot be read, is not well-formed XML, has an unsupported dialect, or is too large;
+     * @throws ModelException if it cannot be read, is neither well-formed XML nor text with state diagrams, has an unsupported dialect, or is too large;
      *     its machines are checked only when they are picked
      */
     public static XmiFile read(Path file) {
-        return read(XmiStream.open(file));
+        return read(ModelInput.open(file));
     }
 
     /**
@@ -66,28 +70,31 @@ public final class XmiFile {
      * @throws ModelException as in {@link #read(Path)}
      */
     public static XmiFile read(String name, InputStream bytes) {
-        return read(XmiStream.of(name, bytes));
+        return read(ModelInput.of(name, bytes));
     }
 
-    private static XmiFile read(XmiStream opened) {
-        try (XmiStream stream = opened) {
+    private static XmiFile read(ModelInput input) {
+        if (TextDialect.recognises(input)) {
+            return new XmiFile(input.file(), "", machines(input.file(), TextDialect.read(input)));
+        }
+        try (XmiStream stream = XmiStream.of(input)) {
             XmiHead head = XmiHead.read(stream);
             stream.refuseForeign(head);
             for (XmiDialect dialect : DIALECTS) {
                 if (dialect.recognises(head)) {
                     String file = stream.file();
-                    return new XmiFile(
-                            file,
-                            head.exporter(),
-                            dialect.read(head, stream).stream()
-                                    .map(drawn -> new XmiMachine(file, drawn))
-                                    .toList());
+                    return new XmiFile(file, head.exporter(), machines(file, dialect.read(head, stream)));
                 }
             }
             throw stream.refuse(
                     "found " + head + ", which is not supported",
-                    "use " + DIALECTS.stream().map(XmiDialect::toString).collect(Collectors.joining(" or ")));
+                    "use " + DIALECTS.stream().map(XmiDialect::toString).collect(Collectors.joining(" or ")) + " or "
+                            + TextDialect.NAME);
         }
+    }
+
+    private static List<XmiMachine> machines(String file, List<DrawnMachine> drawn) {
+        return drawn.stream().map(machine -> new XmiMachine(file, machine)).toList();
     }
 
     /**

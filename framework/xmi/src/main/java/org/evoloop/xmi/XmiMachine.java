@@ -118,7 +118,10 @@ public final class XmiMachine {
     private void require(Problems problems) {
         if (!problems.isEmpty()) {
             throw new ModelException(file + ": state machine " + Problems.label(name(), id()) + " (line " + line()
-                    + ") has " + (problems.count() == 1 ? "a problem:" : problems.count() + " problems:") + problems);
+                    + ") has "
+                    + (problems.count() == 1
+                            ? "a problem: " + problems.toString().strip()
+                            : problems.count() + " problems:" + problems));
         }
     }
 }

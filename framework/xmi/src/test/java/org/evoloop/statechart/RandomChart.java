@@ -9,7 +9,7 @@ import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.statechart.Vertex.Pseudostate;
 
 /** Random statecharts with every construct, small enough to be read when a test fails. */
-final class RandomChart {
+public final class RandomChart {
     static final List<String> EVENTS = List.of("a", "b", "c", "tm(1s)", "tm(2s)");
     static final List<String> GUARDS = List.of("g", "h");
 
@@ -32,7 +32,7 @@ final class RandomChart {
     }
 
     /** @param size the number of states after which no state gets substates */
-    static Statechart draw(Random random, int size) {
+    public static Statechart draw(Random random, int size) {
         return new RandomChart(random, size).draw();
     }
 

@@ -154,7 +154,7 @@ class DeviceStatesInFilesTest {
                         "attribute evoloop:device of State 'B'"),
                 Arguments.of(scxml("ev:devise='X'"), "attribute devise of urn:evoloop at state 'B'"),
                 Arguments.of(scxml("ev:devise='X'"), "did you mean device?"),
-                Arguments.of(scxml("ev:spontaneous='true'"), "is not known there; there is device, sends"),
+                Arguments.of(scxml("ev:spontaneous='true'"), "is not known there; there is device, name, sends"),
                 Arguments.of(scxml("ev:device=' '"), "write a state of the original model"),
                 Arguments.of(scxml("").replace("event=", "ev:sponteneous='true' event="), "did you mean spontaneous?"),
                 Arguments.of(scxml("").replace("event=", "ev:spontaneous='yes' event="), "write true or false"),

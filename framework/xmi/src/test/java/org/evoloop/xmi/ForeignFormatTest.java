@@ -22,11 +22,6 @@ class ForeignFormatTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "stateDiagram-v2\\n[*] --> Off | a Mermaid diagram, which Evoloop does not read: write it in SCXML: A --> B",
-                "\u00ef\u00bb\u00bf%% lamp\\n  stateDiagram\\n | a Mermaid diagram",
-                "---\\ntitle: Lamp\\n---\\nstateDiagram-v2\\n | a Mermaid diagram",
-                "# Lamp\\n```mermaid\\nstateDiagram-v2 | a Mermaid diagram",
-                "note\\n@startuml\\n[*] --> Off | a PlantUML diagram",
                 "{\"_type\": \"Project\", \"_id\": \"1\"} | a StarUML project, which Evoloop does not read: export XMI in StarUML",
                 "{\"id\":\"lamp\",\"initial\":\"Off\",\"states\":{}} | an XState machine",
                 "import { createMachine } from 'xstate'; | an XState machine",
@@ -50,15 +45,13 @@ class ForeignFormatTest {
 
     @Test
     void itShowsInTextOfTwoBytesALetter() {
-        assertRefused("model.txt", "stateDiagram-v2".getBytes(StandardCharsets.UTF_16), "a Mermaid diagram");
+        assertRefused("model.txt", "digraph { }".getBytes(StandardCharsets.UTF_16), "a Graphviz graph");
     }
 
     @ParameterizedTest
     @CsvSource({
         "lamp.smcat, a file for state-machine-cat",
-        "lamp.MMD, a Mermaid diagram",
-        "lamp.plantuml, a PlantUML diagram",
-        "lamp.gv, a Graphviz graph",
+        "lamp.GV, a Graphviz graph",
         "lamp.yml, a YAML file",
         "lamp.qea, an Enterprise Architect project",
         "lamp.vpp, a Visual Paradigm project",
@@ -80,6 +73,6 @@ class ForeignFormatTest {
 
     @Test
     void aFileOfThousandsOfCommentsIsNoProblem() {
-        assertRefused("model.mmd", "%%\n".repeat(100_000).getBytes(StandardCharsets.UTF_8), "a Mermaid diagram");
+        assertRefused("model.smcat", "//\n".repeat(100_000).getBytes(StandardCharsets.UTF_8), "state-machine-cat");
     }
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.code_intelligence.jazzer.junit.FuzzTest;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -44,19 +45,23 @@ class ModelsFuzzTest {
         }
     }
 
-    /** A file in each dialect (Astah's, SCXML, UML 2), and two in none. */
+    /** A file in each dialect (Astah's, SCXML, UML 2, Mermaid, Markdown, PlantUML), and two in none. */
     static List<byte[]> seeds() throws IOException {
         Path root = Path.of(System.getProperty("evoloop.root"));
         List<byte[]> seeds = new ArrayList<>();
         try (Stream<Path> models = Files.list(root.resolve("models"));
                 Stream<Path> samples = Files.list(root.resolve("framework/models/src/test/resources/samples"))) {
             for (Path file : Stream.concat(models, samples).sorted().toList()) {
-                if (file.toString().matches(".*\\.(xml|xmi|uml|scxml)")) {
+                if (file.toString().matches(".*\\.(xml|xmi|uml|scxml|md|mmd)")) {
                     seeds.add(Files.readAllBytes(file));
                 }
             }
         }
-        seeds.add("<html/>".getBytes(java.nio.charset.StandardCharsets.UTF_8));
+        seeds.add(
+                ("@startuml\n[*] -> A\nstate \"Big\" as A #red {\nstate in <<entryPoint>>\nin --> B\n--\n[H] --> C : e [g] / f, h\n}"
+                                + "\nA -up-> A[H*] : tm(2s) {local}\nA : entry / x\\ny / defer\n@enduml\n")
+                        .getBytes(StandardCharsets.UTF_8));
+        seeds.add("<html/>".getBytes(StandardCharsets.UTF_8));
         seeds.add(new byte[] {'P', 'K', 3, 4});
         return seeds;
     }

@@ -134,6 +134,19 @@ class ScaffoldTest {
         assertThat(project.resolve("mvnw")).isExecutable();
     }
 
+    @Test
+    void modelsInMarkdownAreKeptAsTheyAre() throws Exception {
+        Path text = Files.writeString(
+                directory.resolve("robot.md"),
+                "# My robot\n\n"
+                        + Tool.run("show", Tool.ROBOT, "--format", "mermaid").out());
+
+        Path project = scaffold(text + "#original", text + "#new", "--spontaneous", "endSpot");
+
+        assertAllPassed(test(project), 8);
+        assertThat(project.resolve("models/models.md")).hasSameBinaryContentAs(text);
+    }
+
     /** A gate of which the motor reports the ends; the new model adds a button and a time. */
     @Test
     void theProgramOffersWhatAControllerRaisesAndNothingElse() throws Exception {

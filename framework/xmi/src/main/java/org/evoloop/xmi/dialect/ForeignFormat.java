@@ -9,7 +9,7 @@ import java.util.regex.Pattern;
 /**
  * A format in which people keep state machines, or pictures of them, and that is not read.
  *
- * @param what it is, such as {@code a Mermaid diagram}
+ * @param what it is, such as {@code an XState machine}
  * @param remedy how to go on
  * @param extensions of its files, without the dot
  * @param content matches the beginning of such a file, after comments, or its root element
@@ -18,9 +18,7 @@ record ForeignFormat(String what, String remedy, List<String> extensions, Patter
     /** The bytes of a file in which its format shows. */
     static final int HEAD_BYTES = 16 << 10;
 
-    private static final String WRITE = "write the machine in SCXML, or draw it in a UML tool";
-    private static final String ARROWS =
-            "write it in SCXML: A --> B : go is <state id=\"A\"><transition event=\"go\" target=\"B\"/></state>";
+    private static final String WRITE = "write the machine in Mermaid or SCXML, or draw it in a UML tool";
     private static final String XMI = "; or " + WRITE;
     private static final String HTML = "<!doctype html";
     private static final String UTF_8_MARK = "\u00ef\u00bb\u00bf";
@@ -32,13 +30,6 @@ record ForeignFormat(String what, String remedy, List<String> extensions, Patter
 
     /** Of several that match, the first counts. */
     private static final List<ForeignFormat> ALL = List.of(
-            format(
-                    "a Mermaid diagram",
-                    ARROWS,
-                    "stateDiagram|flowchart\\b|graph (?:TB|TD|BT|RL|LR)\\b|.*```\\s*mermaid|---.*\\sstateDiagram",
-                    "mmd",
-                    "mermaid"),
-            format("a PlantUML diagram", ARROWS, ".*@start(?:uml|json|dot)", "puml", "plantuml", "pu", "iuml", "wsd"),
             format(
                     "a StarUML project",
                     "export XMI in StarUML, with its extension XMI" + XMI,

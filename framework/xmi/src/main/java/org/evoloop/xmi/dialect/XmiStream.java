@@ -1,15 +1,11 @@
 package org.evoloop.xmi.dialect;
 
-import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.Charset;
-import java.nio.file.AccessDeniedException;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.HashSet;
@@ -61,29 +57,19 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
      * @throws ModelException if it cannot be opened or does not begin like XML
      */
     public static XmiStream open(Path file) {
-        if (Files.isDirectory(file)) {
-            throw new ModelException(file + ": is a directory; name a file in it");
-        }
-        // Reading a pipe may block forever, and a device may never end.
-        if (Files.exists(file) && !Files.isRegularFile(file)) {
-            throw new ModelException(file + ": is a pipe or a device; save the model in a file and name that");
-        }
-        try {
-            return of(file.toString(), ZippedModel.unpacked(file));
-        } catch (NoSuchFileException missing) {
-            throw new ModelException(file + ": does not exist; correct the path", missing);
-        } catch (AccessDeniedException denied) {
-            throw new ModelException(file + ": cannot be read: permission denied; grant read permission", denied);
-        } catch (IOException unreadable) {
-            throw new ModelException(file + ": cannot be read (" + unreadable.getMessage() + ")", unreadable);
-        }
+        return of(ModelInput.open(file));
     }
 
-    /** Takes ownership of {@code bytes} and closes them. */
-    public static XmiStream of(String file, InputStream bytes) {
-        XmiStream stream = new XmiStream(file, new BufferedInputStream(bytes));
+    /**
+     * Parses what is left of the input, takes ownership of it and closes it.
+     *
+     * @throws ModelException if it does not begin like XML
+     */
+    public static XmiStream of(ModelInput opened) {
+        String file = opened.file();
+        XmiStream stream = new XmiStream(file, opened.bytes());
         try {
-            Charset encoding = stream.encoding();
+            Charset encoding = stream.encoding(opened.head());
             // A new decoder reports invalid bytes; the default decoder of a reader would replace them silently.
             stream.setParent(
                     factory().createXMLStreamReader(new InputStreamReader(stream.input, encoding.newDecoder())));
@@ -112,10 +98,7 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
         return factory;
     }
 
-    private Charset encoding() throws IOException {
-        input.mark(ForeignFormat.HEAD_BYTES);
-        byte[] head = input.readNBytes(ForeignFormat.HEAD_BYTES);
-        input.reset();
+    private Charset encoding(byte[] head) throws IOException {
         if (head.length == 0) {
             throw refuse("is empty", EXPORT_AGAIN);
         }

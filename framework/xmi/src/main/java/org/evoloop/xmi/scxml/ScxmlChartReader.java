@@ -117,7 +117,7 @@ final class ScxmlChartReader {
             ScxmlVocabulary.check(vertex.node(), problems);
         }
         if (vertex.isHistory()) {
-            vertices.add(new Pseudostate(vertex.key(), vertex.id(), vertex.place(), kind(vertex)));
+            vertices.add(new Pseudostate(vertex.key(), shown(vertex), vertex.place(), kind(vertex)));
         } else if (vertex.isFinal()) {
             vertices.add(end(vertex));
         } else {
@@ -133,7 +133,7 @@ final class ScxmlChartReader {
                         actions(vertex, "onentry").stream(),
                         vertex.elements("donedata").stream().map(ScxmlActions::text))
                 .toList();
-        return new FinalState(vertex.key(), vertex.id(), vertex.place(), entry, actions(vertex, "onexit"));
+        return new FinalState(vertex.key(), shown(vertex), vertex.place(), entry, actions(vertex, "onexit"));
     }
 
     private List<Region> regions(ScxmlVertex state) {
@@ -196,9 +196,16 @@ final class ScxmlChartReader {
                 : elements.stream().map(ScxmlActions::text).toList();
     }
 
-    /** The state's id. If it has none, which SCXML allows, its name is made from its line. */
+    /** The state's name, or its id. If it has none, which SCXML allows, its name is made from its line. */
     private static String name(ScxmlVertex state) {
-        return state.id().isEmpty() ? state.node().name() + " of line " + state.line() : state.id();
+        String shown = shown(state);
+        return shown.isEmpty() ? state.node().name() + " of line " + state.line() : shown;
+    }
+
+    /** The id, or the name that {@link ScxmlWriter} gives what cannot have its name as an id. */
+    private static String shown(ScxmlVertex vertex) {
+        String name = vertex.node().attribute(XmlNode.EVOLOOP + ScxmlOwn.NAME);
+        return name.isEmpty() ? vertex.id() : name;
     }
 
     private void noteUnnamed(ScxmlVertex state) {

@@ -14,12 +14,19 @@ import org.evoloop.xmi.dialect.XmlNode;
  * any namespace; only in {@code urn:evoloop} is an unknown one refused, since others have their own.
  */
 final class ScxmlOwn {
+    /** A name that cannot be an id, such as {@code (A, B)}. */
+    static final String NAME = "name";
+
     private static final String SPONTANEOUS = "spontaneous";
     private static final String DEVICE = "device";
     private static final String SENDS = "sends";
 
     private static final Map<String, List<String>> KNOWN = Map.of(
-            "state", List.of(DEVICE, SENDS), "parallel", List.of(DEVICE, SENDS), "transition", List.of(SPONTANEOUS));
+            "state", List.of(NAME, DEVICE, SENDS),
+            "parallel", List.of(NAME, DEVICE, SENDS),
+            "final", List.of(NAME),
+            "history", List.of(NAME),
+            "transition", List.of(SPONTANEOUS));
 
     private ScxmlOwn() {}
 
@@ -95,7 +102,9 @@ final class ScxmlOwn {
                             + Problems.quote(value) + "; write "
                             + (name.equals(SPONTANEOUS)
                                     ? "true or false"
-                                    : name.equals(DEVICE) ? "a state of the original model" : "events"));
+                                    : name.equals(DEVICE)
+                                            ? "a state of the original model"
+                                            : name.equals(SENDS) ? "events" : "a name"));
         }
     }
 }

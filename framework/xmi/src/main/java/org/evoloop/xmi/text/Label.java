@@ -1,0 +1,159 @@
+package org.evoloop.xmi.text;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.evoloop.xmi.dialect.Condition;
+
+/**
+ * A transition's label, {@code event, event [guard] / effect, effect «local»}, each part optional.
+ *
+ * @param triggers as written, with their keywords
+ * @param guards usually one at most
+ */
+record Label(List<String> triggers, List<String> guards, List<String> effects, boolean local) {
+    /** At the end of a label that Mermaid is to read, which takes a brace for that of a state. */
+    static final String LOCAL = "«local»";
+
+    private static final List<String> LOCALS = List.of(LOCAL, "<<local>>", "{local}");
+
+    /** A label that has no meaning, with the column of the reason, counted from 1. */
+    static final class Meaningless extends Exception {
+        private static final long serialVersionUID = 1L;
+
+        final int column;
+
+        Meaningless(int column, String message) {
+            super(message, null, false, false);
+            this.column = column;
+        }
+
+        String text() {
+            return String.valueOf(getMessage());
+        }
+    }
+
+    /** @param column of the text's first letter */
+    static Label parse(String text, int column, Syntax syntax) throws Meaningless {
+        String label = text.stripTrailing();
+        String whole = label;
+        String ending = LOCALS.stream().filter(whole::endsWith).findFirst().orElse("");
+        label = label.substring(0, label.length() - ending.length()).stripTrailing();
+        int slash = Marks.slash(label, syntax);
+        String head = slash < 0 ? label : label.substring(0, slash);
+        List<String> guards = new ArrayList<>();
+        int end = head.stripTrailing().length();
+        while (end > 0 && Marks.closesAt(head, end - 1, syntax)) {
+            int open = Marks.opening(head, end - 1, syntax);
+            if (open < 0) {
+                throw new Meaningless(column + end - 1, "']' has no '[' before it; write [guard]");
+            }
+            String guard = Condition.guard(Escapes.decode(head.substring(open + 1, end - 1), syntax));
+            if (!guard.isEmpty()) {
+                guards.add(0, guard);
+            }
+            end = head.substring(0, open).stripTrailing().length();
+        }
+        int stray = Marks.bracket(head.substring(0, end), syntax);
+        if (stray >= 0) {
+            throw new Meaningless(
+                    column + stray,
+                    "'" + head.charAt(stray) + "' belongs to no guard, which stands between the event and '/'; write"
+                            + " event [guard] / effect, or \\" + head.charAt(stray) + " for the letter");
+        }
+        return new Label(
+                Marks.split(head.substring(0, end), ",", syntax),
+                guards,
+                slash < 0 ? List.of() : Marks.split(label.substring(slash + 1), ",;", syntax),
+                !ending.isEmpty());
+    }
+
+    /** Whether each bracket is closed. */
+    static boolean isBalanced(String text) {
+        int depth = 0;
+        for (int i = 0; i < text.length() && depth >= 0; i++) {
+            depth += text.charAt(i) == '(' ? 1 : text.charAt(i) == ')' ? -1 : 0;
+        }
+        return depth == 0;
+    }
+
+    /** The characters that divide a label, where they are not escaped. */
+    private static final class Marks {
+        /** The slash before the effects, outside of guards; -1 if there is none. */
+        static int slash(String text, Syntax syntax) {
+            int depth = 0;
+            for (int i = 0; i < text.length(); i = next(text, i, syntax)) {
+                char letter = plain(text, i, syntax);
+                depth += letter == '[' ? 1 : letter == ']' && depth > 0 ? -1 : 0;
+                if (letter == '/' && depth == 0) {
+                    return i;
+                }
+            }
+            return -1;
+        }
+
+        static boolean closesAt(String text, int index, Syntax syntax) {
+            return text.charAt(index) == ']' && (index == 0 || Escapes.lengthAt(text, index - 1, syntax) != 2);
+        }
+
+        /** The bracket that the one at {@code close} closes; -1 if there is none. */
+        static int opening(String text, int close, Syntax syntax) {
+            List<Integer> open = new ArrayList<>();
+            for (int i = 0; i < close; i = next(text, i, syntax)) {
+                char letter = plain(text, i, syntax);
+                if (letter == '[') {
+                    open.add(i);
+                } else if (letter == ']' && !open.isEmpty()) {
+                    open.remove(open.size() - 1);
+                }
+            }
+            return open.isEmpty() ? -1 : open.get(open.size() - 1);
+        }
+
+        /** The first bracket; -1 if there is none. */
+        static int bracket(String text, Syntax syntax) {
+            for (int i = 0; i < text.length(); i = next(text, i, syntax)) {
+                char letter = plain(text, i, syntax);
+                if (letter == '[' || letter == ']') {
+                    return i;
+                }
+            }
+            return -1;
+        }
+
+        /** The parts between separators that are neither in round brackets nor in quotation marks. */
+        static List<String> split(String text, String separators, Syntax syntax) {
+            List<String> parts = new ArrayList<>();
+            boolean nested = isBalanced(text);
+            boolean quoted = false;
+            int depth = 0;
+            int from = 0;
+            for (int i = 0; i < text.length(); i = next(text, i, syntax)) {
+                char letter = plain(text, i, syntax);
+                quoted ^= letter == '"';
+                depth += !nested || quoted ? 0 : letter == '(' ? 1 : letter == ')' ? -1 : 0;
+                if (depth == 0 && !quoted && separators.indexOf(letter) >= 0) {
+                    add(text.substring(from, i), syntax, parts);
+                    from = i + 1;
+                }
+            }
+            add(text.substring(from), syntax, parts);
+            return parts;
+        }
+
+        private static void add(String part, Syntax syntax, List<String> parts) {
+            String decoded = Escapes.decode(part, syntax);
+            if (!decoded.isEmpty()) {
+                parts.add(decoded);
+            }
+        }
+
+        private static int next(String text, int index, Syntax syntax) {
+            return index + Math.max(1, Escapes.lengthAt(text, index, syntax));
+        }
+
+        /** The letter, or 0 if it begins an escape. */
+        private static char plain(String text, int index, Syntax syntax) {
+            return Escapes.lengthAt(text, index, syntax) > 0 ? 0 : text.charAt(index);
+        }
+    }
+}

@@ -1,0 +1,459 @@
+package org.evoloop.xmi.text;
+
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.evoloop.statechart.Statechart;
+import org.evoloop.statechart.Vertex.Kind;
+import org.evoloop.xmi.dialect.Problems;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Reads the statements of a diagram:
+ *
+ * <pre>{@code
+ * statement = "state" name [kind] [":" text] ["{"]  |  end arrow end [":" label]  |  id ":" text  |  id
+ *           | "}"  |  "--"  |  what Ignored takes
+ * name      = id  |  '"' text '"' "as" id  |  id "as" '"' text '"'
+ * end       = id  |  "[*]"  |  "[H]"  |  "[H*]"  |  id "[H]"  |  id "[H*]"
+ * }</pre>
+ *
+ * <p>Threading: for one thread.
+ */
+final class Statements {
+    private static final Map<String, Kind> SHARED_KINDS =
+            Map.of("choice", Kind.CHOICE, "fork", Kind.FORK, "join", Kind.JOIN);
+    private static final Map<String, Kind> PLANTUML_KINDS = Map.of(
+            "start", Kind.INITIAL,
+            "history", Kind.SHALLOW_HISTORY,
+            "history*", Kind.DEEP_HISTORY,
+            "entrypoint", Kind.ENTRY_POINT,
+            "exitpoint", Kind.EXIT_POINT);
+    private static final Pattern SEPARATOR = Pattern.compile("(--+|\\|\\|)\\s*");
+    /** Nobody writes longer ones, and reading them may take time quadratic in their length. */
+    private static final int LONGEST_LINE = 4_000;
+
+    /** A line break in a label. */
+    private static final Pattern BREAK = Pattern.compile("(?i)<br\\s*/?>|\\\\n");
+
+    private final TextBlock block;
+    private final Syntax syntax;
+    private final Problems problems;
+    private final TextTree tree;
+    private final Ignored ignored;
+    private final Behaviors behaviors;
+
+    /** A line that cannot be understood. */
+    private static final class Refusal extends Exception {
+        private static final long serialVersionUID = 1L;
+
+        Refusal(int column, String message) {
+            super("column " + column + ": " + message, null, false, false);
+        }
+    }
+
+    Statements(TextBlock block, Problems problems) {
+        this.block = block;
+        this.syntax = block.syntax();
+        this.problems = problems;
+        this.tree = new TextTree(block.file(), syntax, block.line(), problems);
+        this.ignored = new Ignored(syntax, problems);
+        this.behaviors = new Behaviors(syntax, problems);
+    }
+
+    Statechart chart(String title) {
+        int number = block.line();
+        for (String text : block.lines()) {
+            number++;
+            if (text.length() > LONGEST_LINE) {
+                problems.add(number, "the line has " + text.length() + " letters; write shorter ones");
+                continue;
+            }
+            Cursor line = new Cursor(text, number);
+            try {
+                while (line.hasMore()) {
+                    if (!ignored.takes(line)) {
+                        statement(line);
+                    }
+                }
+            } catch (Refusal refusal) {
+                problems.add(number, String.valueOf(refusal.getMessage()));
+            }
+        }
+        ignored.finish();
+        return tree.chart(title);
+    }
+
+    private void statement(Cursor line) throws Refusal {
+        int column = line.column();
+        if (SEPARATOR.matcher(line.ahead()).matches() && (syntax == Syntax.PLANTUML || !line.isAt("||"))) {
+            if (syntax == Syntax.MERMAID && tree.scope().owner() == null) {
+                throw new Refusal(column, "Mermaid has regions in states only; write state NAME { before them");
+            }
+            line.rest();
+            tree.separate(line.line());
+        } else if (line.take("}")) {
+            if (!tree.close()) {
+                throw new Refusal(column, "} closes no state; remove it");
+            }
+        } else if (isDeclaration(line)) {
+            declaration(line);
+        } else if (!line.isAt("[") && !syntax.isIdPart(line.letter())) {
+            throw notUnderstood(line);
+        } else {
+            transitionOrText(line);
+        }
+    }
+
+    private static boolean isDeclaration(Cursor line) {
+        int column = line.column();
+        boolean here = line.takeWord("state") && line.hasMore() && !line.isAt("-") && !line.isAt(":");
+        if (!here) {
+            line.backTo(column);
+        }
+        return here;
+    }
+
+    private Refusal notUnderstood(Cursor line) {
+        return new Refusal(
+                line.column(),
+                Problems.quote(line.ahead().strip()) + " is no statement of a state diagram in " + syntax
+                        + "; write A --> B : event [guard] / effect, or remove it");
+    }
+
+    private void declaration(Cursor line) throws Refusal {
+        int column = line.column();
+        String shown = line.take("\"") ? quoted(line, column) : "";
+        line.hasMore();
+        boolean quotedOnly = !shown.isEmpty() && !line.takeWord("as");
+        if (quotedOnly && syntax == Syntax.MERMAID) {
+            throw new Refusal(line.column(), "a name in quotation marks needs an id in Mermaid; write as ID behind it");
+        }
+        line.hasMore();
+        int at = line.column();
+        String id = quotedOnly ? shown : id(line);
+        TextState state = tree.state(id, line.line(), at);
+        if (!shown.isEmpty()) {
+            shown(state, shown, line.line(), column);
+        }
+        while (line.hasMore()) {
+            if (line.isAt("<<") || line.isAt("[[")) {
+                if (syntax == Syntax.MERMAID && !shown.isEmpty()) {
+                    throw new Refusal(line.column(), "Mermaid allows no name before a kind; write state ID <<KIND>>");
+                }
+                stereotype(state, line);
+            } else if (line.isAt(":::") || (syntax == Syntax.PLANTUML && line.isAt("#"))) {
+                style(line);
+            } else if (syntax == Syntax.PLANTUML && line.takeWord("as")) {
+                line.hasMore();
+                if (!line.take("\"")) {
+                    throw new Refusal(line.column(), "a name is missing; write it in quotation marks");
+                }
+                shown(state, quoted(line, column), line.line(), column);
+            } else if (line.take("{")) {
+                tree.open(state, line.line(), line.column() - 1);
+                return;
+            } else if (line.take(":")) {
+                text(state, line);
+            } else {
+                throw new Refusal(
+                        line.column(),
+                        Problems.quote(line.ahead().strip()) + " behind state '" + id
+                                + "' is not understood; write state \"NAME\" as ID, with { for a state with contents");
+            }
+        }
+    }
+
+    /**
+     * Reads what is in a state's quotation marks: its name, and in further lines what it does. For a state with contents
+     * Mermaid has no other place.
+     */
+    private void shown(TextState state, String text, int line, int column) throws Refusal {
+        StringBuilder name = new StringBuilder();
+        boolean behavior = false;
+        for (String part : BREAK.split(text, -1)) {
+            behavior |= !name.isEmpty() && part.indexOf('/') >= 0;
+            if (behavior) {
+                behavior(state, part, line, column);
+            } else {
+                name.append(name.isEmpty() ? "" : " ").append(part.strip());
+            }
+        }
+        state.rename(Escapes.decode(name.toString(), syntax));
+    }
+
+    private static String quoted(Cursor line, int column) throws Refusal {
+        if (!line.comesLater("\"")) {
+            throw new Refusal(column, "the quotation mark is not closed; write another one behind the name");
+        }
+        String name = line.upTo("\"");
+        if (name.isBlank()) {
+            throw new Refusal(column, "the name is empty; write one");
+        }
+        return name;
+    }
+
+    private void stereotype(TextState state, Cursor line) throws Refusal {
+        int column = line.column();
+        boolean brackets = line.isAt("[[");
+        line.take(brackets ? "[[" : "<<");
+        String word = line.upTo(brackets ? "]]" : ">>").strip();
+        String key = word.toLowerCase(java.util.Locale.ROOT);
+        Kind kind = SHARED_KINDS.get(key);
+        if (kind == null && syntax == Syntax.PLANTUML) {
+            kind = PLANTUML_KINDS.get(key);
+            if (key.endsWith("pin") || key.startsWith("expansion")) {
+                throw new Refusal(column, "<<" + word + ">> has no meaning in a state machine; write <<entryPoint>>");
+            }
+        }
+        if (kind != null) {
+            state.become(kind);
+        } else if (key.equals("end") && syntax == Syntax.PLANTUML) {
+            state.becomeEnd();
+        } else if (key.matches("(device|sends)\\s.*")) {
+            state.keywords.add("«" + word + "»");
+        } else if (syntax == Syntax.MERMAID) {
+            throw new Refusal(
+                    column,
+                    "<<" + word + ">> is not known to Mermaid, which draws a state of that name; it has <<choice>>,"
+                            + " <<fork>> and <<join>>, and PlantUML has histories, entry and exit points");
+        }
+    }
+
+    private void transitionOrText(Cursor line) throws Refusal {
+        int column = line.column();
+        @Nullable TextState state = line.isAt("[") ? null : tree.state(id(line), line.line(), column);
+        boolean ofHistory = state != null && line.isAt("[H");
+        if (state != null && !ofHistory) {
+            style(line);
+            if (!line.hasMore() || line.isAt("}")) {
+                return;
+            }
+            if (line.take(":")) {
+                text(state, line);
+                return;
+            }
+        }
+        int arrowAt;
+        String source;
+        if (state == null || ofHistory) {
+            int end = line.column();
+            source = line.isAt("[*]") && state == null ? "" : history(state, line, end);
+            line.take("[*]");
+            line.hasMore();
+            arrowAt = line.column();
+        } else {
+            source = state.id();
+            arrowAt = line.column();
+        }
+        Arrow arrow = arrow(line, arrowAt);
+        line.hasMore();
+        String target = end(line);
+        style(line);
+        boolean labelled = line.hasMore() && line.take(":");
+        if (!labelled && line.hasMore() && !line.isAt("}") && !(syntax == Syntax.MERMAID && line.isAt("%%"))) {
+            throw new Refusal(
+                    line.column(),
+                    Problems.quote(line.ahead().strip()) + " behind the transition is not understood; write a label"
+                            + " behind a colon, A --> B : event [guard] / effect");
+        }
+        Label label = labelled ? label(line) : new Label(List.of(), List.of(), List.of(), false);
+        if (arrow == Arrow.HIDDEN) {
+            return;
+        }
+        String from = arrow == Arrow.BACK ? target : source;
+        String to = arrow == Arrow.BACK ? source : target;
+        int at = line.line();
+        tree.arc(
+                from.isEmpty() ? tree.scope().initial(at) : from,
+                to.isEmpty() ? tree.scope().end(at) : to,
+                label,
+                at);
+    }
+
+    /** The key of the vertex at the end of an arrow; empty for {@code [*]}. */
+    private String end(Cursor line) throws Refusal {
+        int column = line.column();
+        if (line.take("[*]")) {
+            return "";
+        }
+        if (line.isAt("[")) {
+            return history(null, line, column);
+        }
+        TextState state = tree.state(id(line), line.line(), column);
+        return line.isAt("[H") ? history(state, line, line.column()) : state.id();
+    }
+
+    /** @param state whose history it is; null for that of the current region */
+    private String history(@Nullable TextState state, Cursor line, int column) throws Refusal {
+        boolean deep = line.take("[H*]");
+        if (!deep && !line.take("[H]")) {
+            throw notUnderstood(line);
+        }
+        if (syntax == Syntax.MERMAID) {
+            throw new Refusal(
+                    column,
+                    "Mermaid has no history and draws a state of that name; write the diagram in PlantUML, which has"
+                            + " [H] and [H*]");
+        }
+        return state == null ? tree.scope().history(deep, line.line()) : tree.history(state, deep, line.line(), column);
+    }
+
+    /** Skips the style behind a state's id. */
+    private void style(Cursor line) {
+        while (line.hasMore()) {
+            if (line.take(":::")) {
+                while (Syntax.PLANTUML.isIdPart(line.letter()) || (line.isAt("-") && !line.isAt("--"))) {
+                    line.take(String.valueOf(line.letter()));
+                }
+            } else if (syntax == Syntax.PLANTUML && line.isAt("#")) {
+                line.upTo(" ");
+            } else if (syntax == Syntax.PLANTUML && line.isAt("<<")) {
+                line.upTo(">>");
+            } else {
+                return;
+            }
+        }
+    }
+
+    private boolean isDash(Cursor line) {
+        return syntax == Syntax.MERMAID && line.isAt("-") && !line.isAt("--") && !line.isAt("->");
+    }
+
+    private String id(Cursor line) throws Refusal {
+        int column = line.column();
+        String id = line.id(syntax);
+        if (!id.isEmpty() && isDash(line)) {
+            int dash = line.column();
+            StringBuilder whole = new StringBuilder(id);
+            while (isDash(line)) {
+                line.take("-");
+                whole.append('-').append(line.id(syntax));
+            }
+            throw new Refusal(
+                    dash,
+                    "Mermaid allows no '-' in an id; write " + whole.toString().replace('-', '_') + ", and state \""
+                            + whole + "\" as " + whole.toString().replace('-', '_') + " once for its name");
+        }
+        if (line.isAt(".") && syntax == Syntax.PLANTUML) {
+            throw new Refusal(
+                    line.column(),
+                    "PlantUML reads '.' in an id as a state inside '" + id + "'; write an id without it, and state"
+                            + " \"NAME\" as ID for the name");
+        }
+        if (syntax == Syntax.MERMAID && (line.isAt(";") || (!id.isEmpty() && line.isAt("[") && !line.isAt("[H")))) {
+            throw new Refusal(
+                    line.column(),
+                    "'" + line.letter() + "' would be a part of the id in Mermaid; remove it, and write state \"NAME\""
+                            + " as ID for another name");
+        }
+        if (id.isEmpty()) {
+            throw new Refusal(
+                    column,
+                    line.hasMore()
+                            ? "an id cannot begin with '" + line.letter() + "'; write letters, digits and _"
+                            : "the id of a state is missing; write one");
+        }
+        return id;
+    }
+
+    /** With a direction and a style, which are for the layout. */
+    private static final Pattern PLANTUML_ARROW =
+            Pattern.compile("<?-+(?:\\[[^\\]]*+\\])?(?:left|right|up|down|le|ri|do|[lrud])?(?:\\[[^\\]]*+\\])?-*>?");
+
+    private enum Arrow {
+        THERE,
+        BACK,
+        /** Only for the layout. */
+        HIDDEN
+    }
+
+    private Arrow arrow(Cursor line, int column) throws Refusal {
+        if (syntax == Syntax.MERMAID) {
+            if (!line.take("-->")) {
+                throw line.isAt("->")
+                        ? new Refusal(column, "Mermaid's arrow is -->, and this is ->; write A --> B")
+                        : new Refusal(
+                                column,
+                                Problems.quote(line.ahead().strip())
+                                        + " is no arrow; write A --> B, or A : text for a description");
+            }
+            return Arrow.THERE;
+        }
+        Matcher arrow = PLANTUML_ARROW.matcher(line.ahead());
+        if (!arrow.lookingAt() || arrow.group().startsWith("<") == arrow.group().endsWith(">")) {
+            throw new Refusal(
+                    column,
+                    Problems.quote(line.ahead().strip())
+                            + " is no arrow; write A --> B, or A : text for a description");
+        }
+        line.take(arrow.group());
+        return arrow.group().contains("hidden")
+                ? Arrow.HIDDEN
+                : arrow.group().startsWith("<") ? Arrow.BACK : Arrow.THERE;
+    }
+
+    private Label label(Cursor line) throws Refusal {
+        line.hasMore();
+        int column = line.column();
+        String label = flat(line.rest());
+        if (syntax == Syntax.PLANTUML && label.contains("[[")) {
+            throw new Refusal(column + label.indexOf("[["), "a link in a label hides its text; write the text alone");
+        }
+        refuseSemicolon(label, column);
+        try {
+            return Label.parse(label, column, syntax);
+        } catch (Label.Meaningless meaningless) {
+            throw new Refusal(meaningless.column, meaningless.text());
+        }
+    }
+
+    /** Mermaid ends a statement there, and reads the rest as states. */
+    private void refuseSemicolon(String text, int column) throws Refusal {
+        if (syntax != Syntax.MERMAID || text.indexOf(';') < 0) {
+            return;
+        }
+        int length;
+        for (int i = 0; i < text.length(); i += Math.max(1, length)) {
+            length = text.charAt(i) == '#' ? Escapes.lengthAt(text, i, syntax) : 0;
+            if (text.charAt(i) == ';') {
+                throw new Refusal(
+                        column + i,
+                        "';' ends a statement in Mermaid, and what follows would be states; write a comma between"
+                                + " effects, or #59; for the letter");
+            }
+        }
+    }
+
+    /** The text with a blank for each line break, so that columns stay the same. */
+    private static String flat(String text) {
+        return text.indexOf('<') < 0 && text.indexOf('\\') < 0
+                ? text
+                : BREAK.matcher(text)
+                        .replaceAll(found -> " ".repeat(found.group().length()));
+    }
+
+    /** The text in a state: a behavior in each line, or a description. */
+    private void text(TextState state, Cursor line) throws Refusal {
+        line.hasMore();
+        int column = line.column();
+        String text = line.rest();
+        refuseSemicolon(text, column);
+        int from = 0;
+        Matcher breaks = BREAK.matcher(text);
+        while (breaks.find()) {
+            behavior(state, text.substring(from, breaks.start()), line.line(), column + from);
+            from = breaks.end();
+        }
+        behavior(state, text.substring(from), line.line(), column + from);
+    }
+
+    private void behavior(TextState state, String text, int line, int column) throws Refusal {
+        try {
+            behaviors.read(state, text, line, column);
+        } catch (Label.Meaningless meaningless) {
+            throw new Refusal(meaningless.column, meaningless.text());
+        }
+    }
+}
