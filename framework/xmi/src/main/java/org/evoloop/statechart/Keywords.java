@@ -61,9 +61,15 @@ final class Keywords {
      */
     static @Nullable Problem misspelt(Place place, String what, String text) {
         String word = word(text);
-        return OF_STATES.contains(word) || !Names.meant(word, OF_STATES).isEmpty()
+        return OF_STATES.stream().anyMatch(known -> isNear(word, known))
                 ? wrong(place, what, "invariant", text, OF_STATES)
                 : null;
+    }
+
+    /** In free text, another first letter makes another word: "service running" is no misspelt "device". */
+    private static boolean isNear(String word, String known) {
+        return word.startsWith(known.substring(0, 1))
+                && (word.equals(known) || !Names.meant(word, List.of(known)).isEmpty());
     }
 
     private static Problem wrong(Place place, String what, String kind, String text, List<String> known) {

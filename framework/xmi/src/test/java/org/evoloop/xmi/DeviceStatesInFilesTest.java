@@ -172,7 +172,7 @@ class DeviceStatesInFilesTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"temperature &lt; 100", "self.idle", "''"})
+    @CsvSource({"temperature &lt; 100", "self.idle", "service running", "''"})
     void otherInvariantsStayRemarks(String text) {
         XmiMachine drawn = ChartText.machines(
                         invariant("<specification xmi:type='uml:LiteralString' value='" + text + "'/>"))
