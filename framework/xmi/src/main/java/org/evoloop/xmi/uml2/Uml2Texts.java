@@ -98,7 +98,13 @@ final class Uml2Texts {
     private String guardText(Uml2Element constraint) {
         Uml2Vocabulary.check(constraint, problems);
         guardIds.add(constraint.id());
-        return Condition.guard(constraint(constraint));
+        String text = constraint(constraint);
+        if (text.isEmpty()) {
+            problems.note(
+                    constraint.place(),
+                    "guard " + constraint.label() + " has no text and is ignored; write the condition, or remove it");
+        }
+        return Condition.guard(text);
     }
 
     /** The text of a constraint, or else its name. */

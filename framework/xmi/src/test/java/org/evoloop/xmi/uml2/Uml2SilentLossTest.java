@@ -10,6 +10,8 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.xmi.ChartText;
 import org.evoloop.xmi.XmiMachine;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Kinds of models of which a well-known loader silently loses parts. */
 class Uml2SilentLossTest {
@@ -81,6 +83,20 @@ class Uml2SilentLossTest {
                 .singleElement()
                 .asString()
                 .contains("line " + Uml2Text.FIRST_LINE + ": state without a name is called by its id, 'a'");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "<guard xmi:type='uml:Constraint' xmi:id='c'/>",
+                "<guard xmi:type='uml:Constraint' xmi:id='c'>"
+                        + "<specification xmi:type='uml:OpaqueExpression' xmi:id='e'><body></body></specification></guard>"
+            })
+    void shouldNoteAGuardWithoutText(String guard) {
+        XmiMachine machine = ChartText.machines(transition("", guard)).get(0);
+
+        assertThat(ChartText.of(machine.statechart())).contains("a -> b");
+        assertThat(machine.notes()).singleElement().asString().contains("guard '' (id 'c') has no text and is ignored");
     }
 
     @Test
