@@ -191,6 +191,12 @@ final class ScxmlArcs {
                             label.get() + " waits for " + inner.label()
                                     + " to be done, which never happens; give it a final state, or each of its children"
                                     + " if it is parallel"));
+            events.unknownDone(event)
+                    .forEach(
+                            id -> problems.note(
+                                    transition.line(),
+                                    label.get() + " waits for " + Problems.quote(id)
+                                            + " to be done, but no state has this id; correct it, unless the event comes from outside"));
             List<String> triggers = free(events.matched(event), condition, state);
             if (triggers.isEmpty()) {
                 never(transition, label);

@@ -89,6 +89,14 @@ final class ScxmlEvents {
                 .toList();
     }
 
+    /** The ids in these descriptors that tell that a state is done, but are those of no state. */
+    List<String> unknownDone(String attribute) {
+        return descriptors.getOrDefault(attribute, List.of()).stream()
+                .filter(event -> event.startsWith(DONE) && doneState(event) == null)
+                .map(event -> event.substring(DONE.length()))
+                .toList();
+    }
+
     /**
      * The events that trigger a transition. Those that tell that a state is done are matched while the machine runs.
      *

@@ -59,6 +59,15 @@ class ScxmlUnusualTest {
     }
 
     @Test
+    void whoWaitsForAStateThatIsNotThereIsTold() {
+        assertThat(notes("<state id='P'><state id='i'><transition event='e' target='f'/></state><final id='f'/>"
+                        + "<transition event='done.state.Q' target='R'/></state><state id='R'/>"))
+                .singleElement()
+                .asString()
+                .contains("waits for 'Q' to be done, but no state has this id");
+    }
+
+    @Test
     void whoWaitsForWhatIsNeverDoneIsTold() {
         String content = "<parallel id='p'><state id='a'><final id='f'/></state><state id='b'/>"
                 + "<transition event='done.state.p' target='c'/><transition event='done.state.a' target='c'/></parallel>"
