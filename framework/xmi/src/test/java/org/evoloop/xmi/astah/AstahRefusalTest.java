@@ -326,7 +326,7 @@ class AstahRefusalTest {
                 .contains(problem);
     }
 
-    /** The lines of the refusal after its heading. */
+    /** The problems of the refusal: the lines after its heading, or the only one behind it. */
     private static List<String> problems(Machine machine) {
         return problems(new AstahDocument().add(machine));
     }
@@ -336,11 +336,8 @@ class AstahRefusalTest {
             read(document);
             return List.of();
         } catch (ModelException refused) {
-            return String.valueOf(refused.getMessage())
-                    .lines()
-                    .skip(1)
-                    .map(String::strip)
-                    .toList();
+            String problems = String.valueOf(refused.getMessage()).replaceFirst(".* has (a|[0-9]+) problems?:", "");
+            return problems.strip().lines().map(String::strip).toList();
         }
     }
 
