@@ -17,6 +17,7 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
     static final String FOUND_MEANWHILE = "the device was found meanwhile";
 
     private static final String VIOLATED = "an assumption about time did not hold";
+    private static final String LEFT = "the state that raised it has been left";
     private static final String OVERTAKEN = "the device has been sent an event since";
 
     final Ledger ledger;
@@ -190,7 +191,7 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
      * number is 0 if it has not been observed yet.
      */
     public final @Nullable Pending upcoming() {
-        if (ledger.progress.isInterrupted() && !isTooOldToResume(ledger.progress.pending())) {
+        if (ledger.progress.isInterrupted() && mayResume(ledger.progress.pending())) {
             return ledger.progress.pending();
         }
         boolean owed =
@@ -206,14 +207,27 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
         return !outlived && outOfDate(pending).isEmpty() && !ledger.rules.isTooOld(pending, ledger.nowNanos);
     }
 
-    /** An interrupted plan goes on, unless it would send something for a press that has become too old meanwhile. */
+    /**
+     * An interrupted plan goes on, unless it would send something for a press that has become too old meanwhile, or the
+     * function that asked for it has ended.
+     */
     private void resume(Pending pending) {
-        if (isTooOldToResume(pending)) {
-            conclude(pending.number(), ledger.progress.stepsSent() == 0 ? Outcome.STALE : Outcome.FAILED, age(pending));
-        } else {
+        if (mayResume(pending)) {
             ledger.progress.resume();
             ledger.out.begin(pending);
+        } else {
+            Outcome outcome = ledger.progress.stepsSent() == 0 ? Outcome.STALE : Outcome.FAILED;
+            conclude(pending.number(), outcome, isOfAnotherVisit(pending) ? LEFT : age(pending));
         }
+    }
+
+    private boolean mayResume(Pending pending) {
+        return !isTooOldToResume(pending) && !isOfAnotherVisit(pending);
+    }
+
+    private boolean isOfAnotherVisit(Pending pending) {
+        long visit = pending.occurrence().visit();
+        return visit != Occurrence.ANY_VISIT && !ledger.stay.isCurrent(visit);
     }
 
     private boolean isTooOldToResume(Pending pending) {
@@ -282,10 +296,10 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
 
     /** Why it ends as soon as it has its turn; empty if it does not. */
     private String outOfDate(Pending pending) {
-        Occurrence occurrence = pending.occurrence();
-        if (occurrence.visit() != Occurrence.ANY_VISIT && !ledger.stay.isCurrent(occurrence.visit())) {
-            return "the state that raised it has been left";
+        if (isOfAnotherVisit(pending)) {
+            return LEFT;
         }
-        return occurrence instanceof Occurrence.InDoubt && ledger.place.doubt() == null ? FOUND_MEANWHILE : "";
+        boolean found = pending.occurrence() instanceof Occurrence.InDoubt && ledger.place.doubt() == null;
+        return found ? FOUND_MEANWHILE : "";
     }
 }
