@@ -24,7 +24,11 @@ from xml.etree import ElementTree
 TARGET = Path("target")
 REPOSITORY = TARGET / "repository"
 AT_A_TIME = 2 * (os.cpu_count() or 1)
-LONGEST = ("fleet", "framework/core", "framework/xmi", "framework/journal", "roomba-converter/simulator", "framework/mqtt")
+LONGEST = (
+    *("framework/core", "roomba-converter", "fleet", "prism/experiment", "fleet/edge", "framework/journal", "framework/xmi"),
+    *("lightbulb-example", "roomba-converter/camera", "framework/models", "framework/page", "roomba-converter/simulator"),
+    *("framework/mqtt", "benchmarks"),
+)
 TRACE_LINES = 40
 """Of a failure: enough for its message and the frames of the test."""
 OUTPUT_LINES = 60
