@@ -18,7 +18,11 @@ SLOW = os.environ.get("EVOLOOP_COMMANDS") == "slow"
 BUILDS_PROJECTS = SLOW or os.environ.get("EVOLOOP_COMMANDS") == "ci"
 DUE = [entry for entry in KNOWN if entry.run and entry.slow == SLOW]
 LIMIT_S = 3_600 if SLOW else 300
-NOT_COPIED = (".git", "surefire-reports", "interop-venv", "oracles-venv", "home-assistant-root", "package-roots", "__pycache__", *(() if SLOW else (".venv",)))
+NOT_COPIED = (
+    *(".git", "surefire-reports", "__pycache__", "repository", "interop-venv", "oracles-venv", "oracles-node"),
+    *("home-assistant-root", "package-roots", "fresh-roots"),
+    *(() if SLOW else (".venv",)),
+)
 
 
 def documents() -> list[Path]:

@@ -1,9 +1,7 @@
 package org.evoloop.check;
 
 import java.time.Duration;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
@@ -171,12 +169,13 @@ final class DeviceStateRules {
         }
     }
 
-    /** A circle of such turns that sends something, depth first; null if there is none from here. */
+    /** The circle that the first such turn of each configuration leads into, if it sends something; else null. */
     private @Nullable List<Turn> circle(Configuration start, Set<Configuration> done) {
-        Deque<Configuration> open = new ArrayDeque<>(List.of(start));
         List<Turn> way = new ArrayList<>();
+        Map<Configuration, Integer> places = new HashMap<>();
         Configuration at = start;
         while (done.add(at)) {
+            places.put(at, way.size());
             Turn next = graph.turnsFrom(at).stream()
                     .filter(DeviceStateRules::isAtOnce)
                     .findFirst()
@@ -186,18 +185,14 @@ final class DeviceStateRules {
             }
             way.add(next);
             at = next.decision().after();
-            if (open.contains(at)) {
-                Configuration back = at;
-                List<Turn> circle = new ArrayList<>(way);
-                while (!circle.get(0).decision().before().equals(back)) {
-                    circle.remove(0);
-                }
+            Integer begin = places.get(at);
+            if (begin != null) {
+                List<Turn> circle = way.subList(begin, way.size());
                 boolean sends = circle.stream()
                         .flatMap(turn -> turn.decision().steps().stream())
                         .anyMatch(step -> !step.byDevice());
                 return sends ? circle : null;
             }
-            open.add(at);
         }
         return null;
     }

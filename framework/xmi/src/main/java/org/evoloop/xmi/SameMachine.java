@@ -1,6 +1,7 @@
 package org.evoloop.xmi;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
@@ -74,7 +75,7 @@ final class SameMachine {
     }
 
     /** The elements that the other collection lacks, in order; all of them if only the order differs. */
-    private static String without(Iterable<?> some, java.util.Collection<?> others) {
+    private static String without(Iterable<?> some, Collection<?> others) {
         Set<Object> known = new HashSet<>(others);
         List<String> only = new ArrayList<>();
         List<String> all = new ArrayList<>();

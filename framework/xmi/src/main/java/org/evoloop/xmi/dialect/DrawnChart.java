@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import org.evoloop.statechart.Arc;
@@ -114,7 +115,7 @@ public final class DrawnChart {
     /** The vertex's name and kind, for messages. */
     public static String label(Vertex vertex) {
         String kind = vertex instanceof Vertex.Pseudostate pseudostate
-                ? pseudostate.kind().name().toLowerCase(java.util.Locale.ROOT).replace('_', ' ')
+                ? pseudostate.kind().name().toLowerCase(Locale.ROOT).replace('_', ' ')
                 : vertex instanceof ChartState ? "state" : "final state";
         return vertex.name().isEmpty() ? kind : kind + " " + Problems.quote(vertex.name());
     }

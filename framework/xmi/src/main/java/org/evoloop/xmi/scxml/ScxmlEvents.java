@@ -122,7 +122,8 @@ final class ScxmlEvents {
         return List.copyOf(triggers);
     }
 
-    private static boolean isTime(String name) {
+    /** Whether it is a time trigger, or looks like one. */
+    static boolean isTime(String name) {
         try {
             return new Event(name).timeTrigger().isPresent();
         } catch (ModelException malformed) {

@@ -18,7 +18,6 @@ import org.evoloop.statechart.Vertex.ChartState;
 import org.evoloop.statechart.Vertex.FinalState;
 import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.statechart.Vertex.Pseudostate;
-import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.xmi.dialect.DrawnChart;
 import org.evoloop.xmi.dialect.Problems;
@@ -107,17 +106,9 @@ public final class ScxmlWriter {
     private static void events(Arc arc, List<String> reasons) {
         for (String trigger : arc.triggers()) {
             boolean condition = WHEN.matcher(trigger).matches();
-            if (!condition && ScxmlEvents.descriptors(trigger).size() != 1 && !isTime(trigger)) {
+            if (!condition && ScxmlEvents.descriptors(trigger).size() != 1 && !ScxmlEvents.isTime(trigger)) {
                 reasons.add("SCXML separates events by blanks, and one is called " + Problems.quote(trigger));
             }
-        }
-    }
-
-    private static boolean isTime(String trigger) {
-        try {
-            return new Event(trigger).timeTrigger().isPresent();
-        } catch (ModelException malformed) {
-            return true;
         }
     }
 

@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -224,7 +225,7 @@ public final class MermaidWriter {
     private void vertex(Vertex vertex, boolean mentioned, int depth) {
         String id = ids.getOrDefault(vertex.key(), "");
         if (vertex instanceof Pseudostate point && !id.isEmpty()) {
-            line(depth, "state " + id + " <<" + point.kind().name().toLowerCase(java.util.Locale.ROOT) + ">>");
+            line(depth, "state " + id + " <<" + point.kind().name().toLowerCase(Locale.ROOT) + ">>");
         } else if (vertex instanceof ChartState state) {
             List<String> below = below(state);
             boolean plain =

@@ -6,6 +6,7 @@ import java.util.Deque;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import org.evoloop.statechart.Arc;
 import org.evoloop.statechart.Place;
@@ -251,7 +252,7 @@ final class TextTree {
             problems.add(
                     state.place(),
                     "'" + state.id() + "' is a "
-                            + (kind == null ? "final state" : kind.name().toLowerCase(java.util.Locale.ROOT))
+                            + (kind == null ? "final state" : kind.name().toLowerCase(Locale.ROOT))
                             + ", in which nothing happens; write its contents into a state");
         }
         String name = state.name().equals(state.id()) ? "" : state.name();

@@ -1,11 +1,14 @@
 package org.evoloop.xmi.text;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import java.util.function.Predicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.evoloop.statechart.Arc;
 import org.evoloop.statechart.Spontaneous;
 
@@ -50,7 +53,7 @@ final class Words {
 
     static boolean isId(String name) {
         return ID.matcher(name).matches()
-                && !RESERVED.contains(name.toLowerCase(java.util.Locale.ROOT))
+                && !RESERVED.contains(name.toLowerCase(Locale.ROOT))
                 && !name.matches("root_(start|end)\\d*");
     }
 
@@ -80,12 +83,9 @@ final class Words {
         parts.add(String.join(", ", triggers));
         if (!arc.guard().isEmpty()) {
             // The guards of a flat machine's transition are several, each in its own brackets.
-            parts.add("["
-                    + String.join(
-                            "] [",
-                            List.of(arc.guard().split("\\] \\[", -1)).stream()
-                                    .map(Words::guard)
-                                    .toList()) + "]");
+            parts.add(Arrays.stream(arc.guard().split(Pattern.quote(BETWEEN_GUARDS), -1))
+                    .map(Words::guard)
+                    .collect(Collectors.joining(BETWEEN_GUARDS, "[", "]")));
         }
         if (!arc.effects().isEmpty()) {
             parts.add("/ "

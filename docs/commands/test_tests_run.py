@@ -40,7 +40,7 @@ class Test(unittest.TestCase):
 """
 
 
-class TestTest(unittest.TestCase):
+class TestsRunTest(unittest.TestCase):
     def setUp(self) -> None:
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
