@@ -322,6 +322,8 @@ KNOWN = [
     ),
     # For contributors.
     typed("./mvnw spotless:apply", slow=True),
+    Known("./mvnw -q spotless:apply -pl framework/check", why_not="the same command for all modules is run"),
+    typed("./mvnw -q -pl framework/check -am -Dtest=CheckTest -Dsurefire.failIfNoSpecifiedTests=false test", slow=True),
     Known(
         "./mvnw package -pl roomba-converter -am",
         run="./mvnw -q package -pl roomba-converter -am -Dmaven.test.skip=true",

@@ -1,0 +1,31 @@
+"""CONTRIBUTING.md's table of where to change what names files, folders and classes that exist."""
+
+from __future__ import annotations
+
+import re
+import unittest
+
+from test_commands import ROOT
+
+_SECTION = re.compile(r"^## Where do I change \.\.\.\?$(.*?)^## ", re.MULTILINE | re.DOTALL)
+_NAME = re.compile(r"`([A-Z]\w+|[\w./-]+\.\w+|[a-z]+(?:[-/][a-z/-]+)?)`")
+
+
+class MapTest(unittest.TestCase):
+    def test_what_the_table_names_exists(self) -> None:
+        section = _SECTION.search((ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8"))
+        assert section
+        places = [line.rsplit("|", 2)[1] for line in section[1].splitlines() if line.startswith("| ")]
+        ripples = [line for line in section[1].splitlines() if not line.startswith("|")]
+        sources = [path for path in ROOT.glob("*/**/src/main/**/*") if "target" not in path.parts]
+        sources += [path for path in ROOT.glob("*/**/src/test/**/*Test.java") if "target" not in path.parts]
+        known = {path.name.removesuffix(".java") for path in sources}
+        named = [name for line in places + ripples for name in _NAME.findall(line)]
+        self.assertGreater(len(named), 50)
+        for name in named:
+            with self.subTest(name=name):
+                self.assertTrue(name in known or (ROOT / name).is_dir(), "correct the table in CONTRIBUTING.md")
+
+
+if __name__ == "__main__":
+    unittest.main()
