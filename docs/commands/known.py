@@ -83,7 +83,6 @@ KNOWN = [
     Known("./evoloop test --home-assistant", why_not="root and network: a separate Debian; a separate test run"),
     Known("./evoloop test --stress", why_not="takes several minutes of both processors; a separate test run"),
     typed("./evoloop lightbulb", input="start\nswitch\nstatus\nexit\n", shows="switch"),
-    typed("./evoloop lightbulb --help", shows="--models"),
     Known(
         "java -cp lightbulb-example/target/lightbulb-example.jar LampConverter.java",
         why_not="takes the program that the README prints; GuideTest of lightbulb-example runs it from there",
@@ -154,14 +153,12 @@ KNOWN = [
         run="java -jar framework/models/target/evoloop-models.jar journal show --help",
         shows="--last",
     ),
-    typed("./evoloop setup --help", shows="apt-get"),
     typed("./evoloop install", slow=True),
     typed("./evoloop docs", slow=True, shows="target/site/index.html"),
     typed("./evoloop api", shows="no release yet"),
     Known("./evoloop reproducible", why_not="clones the repository, but the copy in which this test runs is not one"),
     Known("./mvnw -Prelease -Dmaven.test.skip=true deploy", run="./evoloop reproducible --help", shows="SBOM"),
     Known("./mvnw -Prelease -Dmaven.test.skip=true -DskipUpload=false deploy", why_not="uploads to Maven Central"),
-    typed("./evoloop bench --help", shows="--quick"),
     Known("./evoloop fleet --demo", run="./evoloop fleet --demo --devices 200", slow=True, shows="nothing was lost"),
     Known("./evoloop fleet --bootstrap HOST:9092 --create-topics --partitions 64", why_not=CLUSTER),
     Known(

@@ -165,15 +165,6 @@ class MainTest {
     }
 
     @Test
-    void theFrontDoorsHelpIsTheProgramsOwn() throws Exception {
-        Process own = program(ROOT, "--help");
-        Process door = new ProcessBuilder(ROOT + "/evoloop", "lightbulb", "--help").start();
-        assertThat(own.inputReader(StandardCharsets.UTF_8).lines().toList())
-                .isEqualTo(door.inputReader(StandardCharsets.UTF_8).lines().toList());
-        assertThat(own.waitFor()).isZero();
-    }
-
-    @Test
     void aFileOfOptionsIsGoneBy(@TempDir File folder) throws Exception {
         File file = new File(folder, "lamp.yaml");
         Files.writeString(file.toPath(), "models: gone.xml\nstart: yes\nnmae: lamp\n");
