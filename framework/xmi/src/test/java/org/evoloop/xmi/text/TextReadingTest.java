@@ -8,7 +8,7 @@ import static org.evoloop.xmi.text.TextDiagrams.plantUml;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.evoloop.statemachine.StateMachine;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.evoloop.xmi.XmiMachine;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -327,7 +327,7 @@ class TextReadingTest {
 
     @Test
     void aMarkdownFileHoldsAMachineInEachBlock() {
-        XmiFile file = file(
+        ModelFile file = file(
                 "README.md",
                 "# Lamp\n\n## The `original`\n\n```mermaid\nstateDiagram-v2\n[*] --> A\n```\n\n```mermaid\n---\n"
                         + "title: \"new\"\n---\nstateDiagram\n[*] --> B\n```\n\n~~~plantuml\ntitle third\n[*] --> C\n~~~\n\n"
@@ -366,7 +366,7 @@ class TextReadingTest {
     void aTextOfTwoBytesALetterIsRead() {
         byte[] bytes = "stateDiagram-v2\n[*] --> 点灯\n".getBytes(StandardCharsets.UTF_16);
 
-        assertThat(XmiFile.read("lamp.mmd", new java.io.ByteArrayInputStream(bytes))
+        assertThat(ModelFile.read("lamp.mmd", new java.io.ByteArrayInputStream(bytes))
                         .only()
                         .initial())
                 .hasToString("点灯");

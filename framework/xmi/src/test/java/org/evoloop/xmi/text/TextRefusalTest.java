@@ -8,7 +8,7 @@ import static org.evoloop.xmi.text.TextDiagrams.refusal;
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import org.evoloop.statemachine.ModelException;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -149,7 +149,7 @@ class TextRefusalTest {
     @Test
     void twoMachinesWithOneTitleAreToldApartByTheirLines() {
         String block = "```mermaid\nstateDiagram-v2\n[*] --> A\n```\n";
-        XmiFile file = file("a.md", "# new\n" + block + block);
+        ModelFile file = file("a.md", "# new\n" + block + block);
 
         assertThatThrownBy(() -> file.pick("new"))
                 .isInstanceOf(ModelException.class)
@@ -161,7 +161,7 @@ class TextRefusalTest {
     void bytesThatAreNoTextAreRefused() {
         byte[] bytes = "stateDiagram-v2\n[*] --> \u00e4".getBytes(StandardCharsets.ISO_8859_1);
 
-        assertThatThrownBy(() -> XmiFile.read("a.mmd", new ByteArrayInputStream(bytes)))
+        assertThatThrownBy(() -> ModelFile.read("a.mmd", new ByteArrayInputStream(bytes)))
                 .isInstanceOf(ModelException.class)
                 .hasMessage("a.mmd: contains bytes that are not UTF-8 (line 2): save it in UTF-8");
     }
