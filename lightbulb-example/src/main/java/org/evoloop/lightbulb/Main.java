@@ -31,9 +31,9 @@ import org.evoloop.service.ServiceOptions;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
+import org.evoloop.xmi.ModelFile;
 import org.evoloop.xmi.ModelFiles;
 import org.evoloop.xmi.ModelReference;
-import org.evoloop.xmi.XmiFile;
 
 /** Builds the converter and runs its console. */
 public final class Main {
@@ -48,11 +48,11 @@ public final class Main {
             .checking(Main::check);
 
     /** Both models, all machines of their file, and the rules about time in the properties file beside it. */
-    private record Models(XmiFile machines, ModelPair pair, TimeRules rules) {
+    private record Models(ModelFile machines, ModelPair pair, TimeRules rules) {
 
         /** @throws ModelException if they cannot be used */
         static Models read(Path file) {
-            XmiFile machines = XmiFile.read(file);
+            ModelFile machines = ModelFile.read(file);
             ModelPair pair = new ModelPair(machines.pick("original"), machines.pick("new"));
             Path properties = new ModelReference(file, Optional.of("new")).beside(PropertyFile.ENDING);
             try {
@@ -142,7 +142,7 @@ public final class Main {
             Console console = new Console(converter, System.in, System.out, System.err);
             console.addCommand(ConsoleCommand.of(
                     "switch", "operates the wall switch", (words, out) -> wallSwitch.press("switch")));
-            console.evolvesBy(NewModels.offering(read.machines().references(), XmiFile::machine));
+            console.evolvesBy(NewModels.offering(read.machines().references(), ModelFile::machine));
             Page.open(PageOptions.of(settings), console, System.err);
             MqttOptions.broker(settings).ifPresent(broker -> {
                 HomeAssistant home = new HomeAssistant(console, broker).open();

@@ -15,7 +15,7 @@ import org.evoloop.service.ServiceOptions;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.testkit.DeviceLine;
 import org.evoloop.time.Clock;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 
 /** What the snippets of the guides take for granted; {@link Snippet} compiles them as code of a subclass. */
 @SuppressWarnings("NullAway.Init") // they are compiled only
@@ -57,7 +57,7 @@ abstract class Assumed {
         double celsius();
     }
 
-    record Models(XmiFile machines, ModelPair pair, TimeRules rules) {
+    record Models(ModelFile machines, ModelPair pair, TimeRules rules) {
         static Models read(Path file) {
             throw new UnsupportedOperationException(file.toString());
         }

@@ -22,7 +22,7 @@ import org.evoloop.gpio.GpioMonitor;
 import org.evoloop.gpio.Pins;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.ManualClock;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.junit.jupiter.api.Test;
 
 /** The light bulb with Pi4J's mocked pins. */
@@ -51,7 +51,7 @@ class WiringTest {
 
     @Test
     void aButtonAndTwoLampsAreTheWholeLightBulb() {
-        XmiFile machines = XmiFile.read(Path.of("../models/light-bulb.xml"));
+        ModelFile machines = ModelFile.read(Path.of("../models/light-bulb.xml"));
         ModelPair models = new ModelPair(machines.pick("original"), machines.pick("new"));
         Lamp lamp = new Lamp();
         try (Pins pins = Pins.of(mock);

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-class XmiFileTest {
+class ModelFileTest {
     @TempDir
     Path directory;
 
@@ -27,22 +27,22 @@ class XmiFileTest {
     void shouldReadTheOnlyMachineWithoutAName() throws IOException {
         Path file = write("one.xml", new AstahDocument().add(offOn("m")).text());
 
-        assertThat(XmiFile.machine(file.toString()).transitions())
+        assertThat(ModelFile.machine(file.toString()).transitions())
                 .extracting(Transition::toString)
                 .containsExactly("Off --Clean--> On");
-        assertThat(XmiFile.read(file).machines()).extracting(XmiMachine::name).containsExactly("StateMachine0");
+        assertThat(ModelFile.read(file).machines()).extracting(XmiMachine::name).containsExactly("StateMachine0");
     }
 
     @Test
     void shouldListTheNamesWhenOneMustBeChosen() throws IOException {
         Path file = write("two.xml", twoMachines());
 
-        assertThatThrownBy(() -> XmiFile.machine(file.toString()))
+        assertThatThrownBy(() -> ModelFile.machine(file.toString()))
                 .isInstanceOf(ModelException.class)
                 .hasMessage(file + ": holds 2 state machines; choose one by " + file + "#NAME, there is"
                         + " 'now' (machine 'StateMachine0', id m1, line 9),"
                         + " 'StateMachine0' (machine 'StateMachine0', id m2, line 22)");
-        assertThatThrownBy(() -> XmiFile.machine(file + "#later"))
+        assertThatThrownBy(() -> ModelFile.machine(file + "#later"))
                 .isInstanceOf(ModelException.class)
                 .hasMessageStartingWith(file + ": no state machine is named 'later'; there is 'now' (");
     }
@@ -51,11 +51,11 @@ class XmiFileTest {
     void shouldListTheIdsWhenANameIsAmbiguous() throws IOException {
         Path file = write("two.xml", twoMachines());
 
-        assertThatThrownBy(() -> XmiFile.machine(file + "#StateMachine0"))
+        assertThatThrownBy(() -> ModelFile.machine(file + "#StateMachine0"))
                 .isInstanceOf(ModelException.class)
                 .hasMessageContainingAll("names 2 state machines", "id m1", "id m2");
-        assertThat(XmiFile.machine(file + "#m2").name()).isEqualTo("StateMachine0");
-        assertThat(XmiFile.machine(file + "# now ").name()).isEqualTo("now");
+        assertThat(ModelFile.machine(file + "#m2").name()).isEqualTo("StateMachine0");
+        assertThat(ModelFile.machine(file + "# now ").name()).isEqualTo("now");
     }
 
     @Test
@@ -65,9 +65,9 @@ class XmiFileTest {
         Path file =
                 write("none.xml", new AstahDocument().text().replaceFirst("</UML:Namespace.ownedElement>", activity));
 
-        assertThat(XmiFile.read(file).machines()).isEmpty();
+        assertThat(ModelFile.read(file).machines()).isEmpty();
         for (String reference : List.of(file.toString(), file + "#new")) {
-            assertThatThrownBy(() -> XmiFile.machine(reference))
+            assertThatThrownBy(() -> ModelFile.machine(reference))
                     .isInstanceOf(ModelException.class)
                     .hasMessage(file + ": holds no state machine; draw one and export the file again");
         }
@@ -91,7 +91,7 @@ class XmiFileTest {
                 .replace("UML:", "u:")
                 .replace(":UML", ":u");
 
-        assertThat(XmiFile.machine(write("class.xml", document).toString()).transitions())
+        assertThat(ModelFile.machine(write("class.xml", document).toString()).transitions())
                 .extracting(Transition::toString)
                 .containsExactly("Off --Clean--> On", "On --tm(2s)--> Off");
     }
@@ -110,10 +110,10 @@ class XmiFileTest {
         Files.write(japanese, document.replace("UTF-8", "Shift_JIS").getBytes("Shift_JIS"));
 
         for (Path file : List.of(windows, wide, japanese)) {
-            assertThat(XmiFile.read(file).machines())
+            assertThat(ModelFile.read(file).machines())
                     .extracting(XmiMachine::name)
                     .containsExactly("状態");
-            assertThat(XmiFile.machine(file.toString()).states()).hasSize(2);
+            assertThat(ModelFile.machine(file.toString()).states()).hasSize(2);
         }
     }
 
@@ -125,7 +125,7 @@ class XmiFileTest {
         assertThat(ModelReference.parse(file.toString())).isEqualTo(new ModelReference(file, Optional.empty()));
         assertThat(ModelReference.parse(file + "#now")).isEqualTo(new ModelReference(file, Optional.of("now")));
         assertThat(ModelReference.parse(file + "#now")).hasToString(file + "#now");
-        assertThat(XmiFile.machine(file + "#now").name()).isEqualTo("now");
+        assertThat(ModelFile.machine(file + "#now").name()).isEqualTo("now");
     }
 
     @ParameterizedTest
@@ -163,7 +163,7 @@ class XmiFileTest {
                         + "<XMI.exporter>umbrello uml modeller http://umbrello.kde.org</XMI.exporter></XMI.documentation>"
                         + "</XMI.header><XMI.content><UML:Model xmi.id='m'/></XMI.content></XMI>";
 
-        assertThatThrownBy(() -> XmiFile.read(
+        assertThatThrownBy(() -> ModelFile.read(
                                 "robot.xmi", new ByteArrayInputStream(document.getBytes(StandardCharsets.UTF_8)))
                         .only())
                 .isInstanceOf(ModelException.class)

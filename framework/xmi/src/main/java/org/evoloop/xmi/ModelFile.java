@@ -28,7 +28,7 @@ import org.evoloop.xmi.uml2.Uml2Dialect;
  *
  * @since 0.1
  */
-public final class XmiFile {
+public final class ModelFile {
     private static final List<XmiDialect> DIALECTS =
             List.of(new AstahDialect(), new Uml14Dialect(), new Uml2Dialect(), new ScxmlDialect());
     private static final int NAMES_LISTED = 50;
@@ -38,7 +38,7 @@ public final class XmiFile {
     private final List<XmiMachine> machines;
 
     /** @param exporter the file's name for the tool that wrote it */
-    private XmiFile(String file, String exporter, List<XmiMachine> machines) {
+    private ModelFile(String file, String exporter, List<XmiMachine> machines) {
         this.file = file;
         this.exporter = exporter;
         this.machines = machines;
@@ -58,7 +58,7 @@ public final class XmiFile {
      * @throws ModelException if it cannot be read, is neither well-formed XML nor text with state diagrams, has an unsupported dialect, or is too large;
      *     its machines are checked only when they are picked
      */
-    public static XmiFile read(Path file) {
+    public static ModelFile read(Path file) {
         return read(ModelInput.open(file));
     }
 
@@ -69,13 +69,13 @@ public final class XmiFile {
      * @param bytes closed in any case
      * @throws ModelException as in {@link #read(Path)}
      */
-    public static XmiFile read(String name, InputStream bytes) {
+    public static ModelFile read(String name, InputStream bytes) {
         return read(ModelInput.of(name, bytes));
     }
 
-    private static XmiFile read(ModelInput input) {
+    private static ModelFile read(ModelInput input) {
         if (TextDialect.recognises(input)) {
-            return new XmiFile(input.file(), "", machines(input.file(), TextDialect.read(input)));
+            return new ModelFile(input.file(), "", machines(input.file(), TextDialect.read(input)));
         }
         try (XmiStream stream = XmiStream.of(input)) {
             XmiHead head = XmiHead.read(stream);
@@ -83,7 +83,7 @@ public final class XmiFile {
             for (XmiDialect dialect : DIALECTS) {
                 if (dialect.recognises(head)) {
                     String file = stream.file();
-                    return new XmiFile(file, head.exporter(), machines(file, dialect.read(head, stream)));
+                    return new ModelFile(file, head.exporter(), machines(file, dialect.read(head, stream)));
                 }
             }
             throw stream.refuse(
@@ -111,8 +111,8 @@ public final class XmiFile {
      *
      * @param unit milliseconds or seconds
      */
-    public XmiFile withTimeUnit(ChronoUnit unit) {
-        return new XmiFile(
+    public ModelFile withTimeUnit(ChronoUnit unit) {
+        return new ModelFile(
                 file,
                 exporter,
                 machines.stream().map(machine -> machine.withTimeUnit(unit)).toList());
@@ -195,7 +195,8 @@ public final class XmiFile {
     }
 
     private static String list(List<XmiMachine> some) {
-        String names = some.stream().limit(NAMES_LISTED).map(XmiFile::describe).collect(Collectors.joining(", "));
+        String names =
+                some.stream().limit(NAMES_LISTED).map(ModelFile::describe).collect(Collectors.joining(", "));
         return some.size() > NAMES_LISTED ? names + " and " + (some.size() - NAMES_LISTED) + " more" : names;
     }
 
