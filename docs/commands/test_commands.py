@@ -83,7 +83,7 @@ class HelpTest(unittest.TestCase):
             shutil.copy(ROOT / "benchmarks" / "help.txt", folder / "benchmarks")
             scripts = Path("framework", "publishing")
             shutil.copytree(ROOT / scripts, folder / scripts, ignore=shutil.ignore_patterns("target"))
-            for command in ("", "lightbulb", "setup", "bench", "test", "package", "docs", "api", "reproducible"):
+            for command in ("", "setup", "bench", "test", "package", "docs", "api", "reproducible"):
                 for option in ("--help", "-h"):
                     with self.subTest(command=command, option=option):
                         result = subprocess.run(

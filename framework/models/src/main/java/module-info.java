@@ -19,8 +19,9 @@ module org.evoloop.models {
     requires org.eclipse.emf.common;
     requires org.eclipse.emf.ecore;
     requires org.evoloop.check;
+    requires org.evoloop.config;
     requires org.evoloop.journal;
-    requires org.evoloop.program;
+    requires org.evoloop.svg;
     requires org.evoloop.xmi;
     requires tools.jackson.databind;
 

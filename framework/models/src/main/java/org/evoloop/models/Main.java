@@ -3,8 +3,8 @@ package org.evoloop.models;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import org.evoloop.config.UsersMistakes;
 import org.evoloop.journal.JournalException;
-import org.evoloop.program.UsersMistakes;
 import org.evoloop.statemachine.ModelException;
 import picocli.CommandLine;
 

@@ -1,4 +1,4 @@
-package org.evoloop.program;
+package org.evoloop.config;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

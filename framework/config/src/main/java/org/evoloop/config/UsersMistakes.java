@@ -1,4 +1,4 @@
-package org.evoloop.program;
+package org.evoloop.config;
 
 import java.util.Locale;
 import java.util.Set;

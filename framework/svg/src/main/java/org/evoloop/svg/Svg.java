@@ -1,4 +1,4 @@
-package org.evoloop.program;
+package org.evoloop.svg;
 
 import java.util.Locale;
 

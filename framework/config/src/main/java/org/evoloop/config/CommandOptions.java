@@ -1,4 +1,4 @@
-package org.evoloop.program;
+package org.evoloop.config;
 
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -11,8 +11,6 @@ import java.util.function.BinaryOperator;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
-import org.evoloop.config.Option;
-import org.evoloop.config.Options;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
