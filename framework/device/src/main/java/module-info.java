@@ -2,7 +2,15 @@
 module org.evoloop.device {
     requires static org.jspecify;
     requires transitive org.evoloop.core;
+    requires org.evoloop.check;
+    requires org.evoloop.config;
+    requires org.evoloop.console;
     requires org.evoloop.line;
+    requires org.evoloop.models;
+    requires org.evoloop.mqtt;
+    requires org.evoloop.page;
+    requires org.evoloop.program;
+    requires org.evoloop.service;
     requires org.evoloop.testkit;
     requires org.evoloop.xmi;
     requires org.slf4j;

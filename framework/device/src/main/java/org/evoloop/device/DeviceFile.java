@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
+import org.evoloop.check.timing.TimeRules;
 import org.evoloop.converter.Effect;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.device.file.DeviceFileException;
@@ -17,7 +18,10 @@ import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Problems;
 import org.evoloop.device.file.Section;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.program.ProgramModels;
+import org.evoloop.statemachine.Event;
 import org.evoloop.testkit.SimulatedDevice;
+import org.evoloop.xmi.ModelReference;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -30,20 +34,24 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public final class DeviceFile {
+    private final Path path;
     private final String name;
     private final FileModels models;
     private final ModelPair pair;
-    private final List<String> offered;
+    private final List<ModelReference> references;
+    private final Guards guards;
     private final Connections connections;
     private final FileKnowledge.Content knowledge;
     private final List<Scenario> scenarios;
     private final List<String> options;
 
-    private DeviceFile(Reader reader, FileModels models, ModelReader read, Connections connections) {
+    private DeviceFile(Path path, Reader reader, FileModels models, ModelReader read, Connections connections) {
+        this.path = path;
         this.name = reader.name;
         this.models = models;
         this.pair = read.pair(models);
-        this.offered = read.offered();
+        this.references = read.references();
+        this.guards = reader.guards;
         this.connections = connections;
         this.knowledge = reader.content;
         this.scenarios = List.copyOf(reader.scenarios);
@@ -69,7 +77,7 @@ public final class DeviceFile {
         reader.read(programOptions);
         models.checkAll(file);
         problems.throwIfAny();
-        return new DeviceFile(reader, models, read, connections);
+        return new DeviceFile(problems.file(), reader, models, read, connections);
     }
 
     /** The converter's name. */
@@ -82,9 +90,33 @@ public final class DeviceFile {
         return pair;
     }
 
-    /** The models that can be chosen while the program runs, each as {@code FILE#NAME}. */
-    public List<String> offered() {
-        return offered;
+    /** The file that was read. */
+    public Path path() {
+        return path;
+    }
+
+    /** The original and the new model, each as {@code FILE#NAME}; none if the file has no models. */
+    List<String> references() {
+        return references.stream().map(ModelReference::toString).toList();
+    }
+
+    /** The models as a program's, with the time requirements beside the new one. */
+    ProgramModels programModels() {
+        return references.isEmpty()
+                ? new ProgramModels(pair, TimeRules.NONE, List.of())
+                : ProgramModels.of(references.get(0), references.get(1));
+    }
+
+    /** The guards, to be attached once. */
+    Guards guards() {
+        return guards;
+    }
+
+    /** The events that the device raises by itself. */
+    Set<Event> devicesOwn() {
+        Set<Event> own = new LinkedHashSet<>(pair.original().spontaneous());
+        models.allDevicesOwn().forEach(event -> own.add(new Event(event)));
+        return own;
     }
 
     /** The program's options that the file has, each as {@code --NAME=VALUE}. */

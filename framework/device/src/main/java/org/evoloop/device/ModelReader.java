@@ -13,16 +13,15 @@ import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.StateMachineBuilder;
 import org.evoloop.xmi.ModelReference;
-import org.evoloop.xmi.XmiFile;
 import org.jspecify.annotations.Nullable;
 
 /**
  * The models of a device file.
  *
  * @param known null if the file names none, or they cannot be used
- * @param offered all machines in the new model's file, each as {@code FILE#NAME}
+ * @param references the original and the new model; none if the file names none
  */
-record ModelReader(@Nullable ModelPair known, List<String> offered) {
+record ModelReader(@Nullable ModelPair known, List<ModelReference> references) {
     private static final String ONLY_STATE = "Any";
 
     /** Reads the section {@code models} of {@code file}. */
@@ -49,11 +48,11 @@ record ModelReader(@Nullable ModelPair known, List<String> offered) {
         } catch (ModelException invalid) {
             models.problem(String.valueOf(invalid.getMessage()));
         }
-        return new ModelReader(pair, offered(reference(evolved.orElseThrow(), problems.file())));
-    }
-
-    private static List<String> offered(ModelReference evolved) {
-        return XmiFile.read(evolved.file()).references();
+        return new ModelReader(
+                pair,
+                List.of(
+                        reference(original.orElseThrow(), problems.file()),
+                        reference(evolved.orElseThrow(), problems.file())));
     }
 
     private static @Nullable StateMachine machine(Node.Text reference, Problems problems) {

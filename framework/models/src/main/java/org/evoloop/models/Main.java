@@ -13,11 +13,20 @@ public final class Main {
     private Main() {}
 
     public static void main(String[] arguments) {
+        System.exit(run(arguments));
+    }
+
+    /**
+     * Runs the command line as {@link #main} does, and returns.
+     *
+     * @return the exit status: 0 success, 1 a check failed or its result could not be written, 2 wrong usage or input
+     */
+    public static int run(String... arguments) {
         CommandLine commandLine = commandLine();
         // Names may be in any script, whatever the terminal's encoding; files and pipes expect UTF-8.
         commandLine.setOut(new PrintWriter(System.out, true, StandardCharsets.UTF_8));
         commandLine.setErr(new PrintWriter(System.err, true, StandardCharsets.UTF_8));
-        System.exit(run(commandLine, arguments));
+        return run(commandLine, arguments);
     }
 
     static CommandLine commandLine() {
