@@ -6,12 +6,11 @@ module org.evoloop.device {
     requires org.evoloop.config;
     requires org.evoloop.console;
     requires org.evoloop.line;
-    requires org.evoloop.models;
     requires org.evoloop.mqtt;
     requires org.evoloop.page;
     requires org.evoloop.program;
     requires org.evoloop.service;
-    requires org.evoloop.testkit;
+    requires transitive org.evoloop.testkit;
     requires org.evoloop.xmi;
     requires org.slf4j;
     requires org.snakeyaml.engine;

@@ -2,7 +2,7 @@
  * The command line for state machine models: shows, compares and checks them, generates projects, and reads converters'
  * journals.
  */
-@SuppressWarnings({"requires-automatic", "module"}) // the module of device files is built later
+@SuppressWarnings("requires-automatic")
 module org.evoloop.models {
     requires static org.jspecify;
     requires com.fasterxml.jackson.annotation;
@@ -20,13 +20,12 @@ module org.evoloop.models {
     requires org.eclipse.emf.ecore;
     requires org.evoloop.check;
     requires org.evoloop.config;
+    requires org.evoloop.device;
     requires org.evoloop.journal;
+    requires org.evoloop.service;
     requires org.evoloop.svg;
     requires org.evoloop.xmi;
     requires tools.jackson.databind;
-
-    exports org.evoloop.models to
-            org.evoloop.device;
 
     opens org.evoloop.models to
             info.picocli;

@@ -96,7 +96,7 @@ public final class DeviceFile {
     }
 
     /** The original and the new model, each as {@code FILE#NAME}; none if the file has no models. */
-    List<String> references() {
+    public List<String> references() {
         return references.stream().map(ModelReference::toString).toList();
     }
 

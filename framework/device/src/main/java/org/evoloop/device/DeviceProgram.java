@@ -20,8 +20,14 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.Names;
 import org.evoloop.testkit.SimulatedDevice;
 
-/** Runs a device file as a program. */
-final class DeviceProgram {
+/**
+ * Runs a device file as a program, with the options that every program has.
+ *
+ * <p>Threading: {@link #run} is for the process's main thread.
+ *
+ * @since 0.1
+ */
+public final class DeviceProgram {
     private static final Option<Boolean> SIMULATE =
             Option.flag("simulate", "Plays the device by its model, and opens no connection.");
 
@@ -32,7 +38,7 @@ final class DeviceProgram {
     }
 
     /** The names of the options that a device file may have, as every program has them. */
-    static Set<String> options() {
+    public static Set<String> options() {
         List<String> names = new ArrayList<>();
         ServiceOptions.OPTIONS
                 .and(PageOptions.OPTIONS, MqttOptions.OPTIONS)
@@ -46,8 +52,9 @@ final class DeviceProgram {
      *
      * @param arguments the options on the command line, which win over the file's
      * @return the exit status for the process
+     * @throws org.evoloop.device.file.DeviceFileException with all mistakes in the file
      */
-    static int run(Path path, List<String> arguments) {
+    public static int run(Path path, List<String> arguments) {
         DeviceFile file = DeviceFile.read(path, options());
         String[] all = Stream.concat(
                         file.options().stream().filter(option -> !isGiven(option, arguments)), arguments.stream())
@@ -55,8 +62,12 @@ final class DeviceProgram {
         return program(file).run(all);
     }
 
-    /** Prints how it is used. @return the exit status for the process */
-    static int help() {
+    /**
+     * Prints how it is used.
+     *
+     * @return the exit status for the process
+     */
+    public static int help() {
         return Program.named("FILE.yaml", "Runs the converter of a device file.")
                 .options(Options.of(SIMULATE))
                 .run("--help");

@@ -1,14 +1,16 @@
-package org.evoloop.device;
+package org.evoloop.models.device;
 
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.ToIntFunction;
+import org.evoloop.device.DeviceProgram;
 import org.evoloop.device.file.DeviceFileException;
 import org.evoloop.service.ErrorOutput;
 import org.evoloop.statemachine.ModelException;
 
-/** The commands for device files: {@code run}, {@code check}. */
-public final class Main {
+/** The commands for device files: {@code run} and {@code check}. */
+public final class DeviceCommands {
     private static final String USAGE = """
             usage: evoloop run FILE.yaml [OPTIONS]
                    evoloop check FILE.yaml
@@ -19,18 +21,15 @@ public final class Main {
             Exit status: 0 success, 1 a check or the program failed, 2 wrong usage or input.
             """;
 
-    private Main() {}
-
-    public static void main(String[] arguments) {
-        System.exit(run(List.of(arguments)));
-    }
+    private DeviceCommands() {}
 
     /**
      * Runs a command.
      *
+     * @param models runs a command for models, and returns its exit status
      * @return the exit status: 0 success, 1 a check or the program failed, 2 wrong usage or input
      */
-    static int run(List<String> arguments) {
+    public static int run(List<String> arguments, ToIntFunction<List<String>> models) {
         try {
             String command = arguments.isEmpty() ? "" : arguments.get(0);
             List<String> rest = arguments.isEmpty() ? List.of() : arguments.subList(1, arguments.size());
@@ -46,7 +45,7 @@ public final class Main {
                 return DeviceProgram.run(Path.of(rest.get(0)), rest.subList(1, rest.size()));
             }
             if (command.equals("check") && isFile && rest.size() == 1) {
-                return DeviceCheck.run(Path.of(rest.get(0)), System.out);
+                return DeviceCheck.run(Path.of(rest.get(0)), System.out, models);
             }
             System.err.print(USAGE);
             return 2;
