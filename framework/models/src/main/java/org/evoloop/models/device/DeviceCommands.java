@@ -1,22 +1,27 @@
 package org.evoloop.models.device;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.ToIntFunction;
+import org.evoloop.config.UsersMistakes;
 import org.evoloop.device.DeviceProgram;
 import org.evoloop.device.file.DeviceFileException;
 import org.evoloop.service.ErrorOutput;
 import org.evoloop.statemachine.ModelException;
+import picocli.CommandLine;
 
-/** The commands for device files: {@code run} and {@code check}. */
+/** The commands for device files: {@code run}, {@code check} and {@code new}. */
 public final class DeviceCommands {
     private static final String USAGE = """
             usage: evoloop run FILE.yaml [OPTIONS]
                    evoloop check FILE.yaml
+                   evoloop new NAME [OPTIONS]
 
               run     runs the converter of a device file; --simulate plays the device (run --help for all options)
               check   checks the file, its models and its scenarios, without the device
+              new     writes a device file to begin with (new --help for all options)
 
             Exit status: 0 success, 1 a check or the program failed, 2 wrong usage or input.
             """;
@@ -36,6 +41,11 @@ public final class DeviceCommands {
             boolean isFile = !rest.isEmpty() && !rest.get(0).startsWith("-");
             if (command.equals("run") && rest.equals(List.of("--help"))) {
                 return DeviceProgram.help();
+            }
+            if (command.equals("new")) {
+                return UsersMistakes.execute(
+                        UsersMistakes.reportedBy(new CommandLine(new NewCommand()), IOException.class::isInstance),
+                        rest.toArray(String[]::new));
             }
             if (arguments.contains("--help")) {
                 System.out.print(USAGE);
