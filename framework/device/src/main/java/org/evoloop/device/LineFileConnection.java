@@ -1,11 +1,14 @@
 package org.evoloop.device;
 
+import java.io.IOException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.regex.Pattern;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
@@ -27,6 +30,8 @@ final class LineFileConnection extends Connection {
     private final List<Consumer<LineExecute>> duties = new ArrayList<>();
     private final Map<String, String> lines = new LinkedHashMap<>();
     private final Map<String, String> states = new LinkedHashMap<>();
+
+    private volatile @Nullable LineConnection assembled;
 
     private LineFileConnection(String name, @Nullable LineTransport transport, FileModels models) {
         super(name, "lines");
@@ -62,12 +67,12 @@ final class LineFileConnection extends Connection {
         return LineTransport.tcp(tcp.group("host"), Integer.parseInt(tcp.group("port")));
     }
 
-    private static java.util.Optional<String> oneLine(Section section, Node.Text text) {
+    private static Optional<String> oneLine(Section section, Node.Text text) {
         if (text.value().isEmpty() || text.value().matches("(?s).*[\r\n].*")) {
             section.problems().at(text, "'" + text.value().replaceAll("\\R", "\\\\n") + "' is not one line of text");
-            return java.util.Optional.empty();
+            return Optional.empty();
         }
-        return java.util.Optional.of(text.value());
+        return Optional.of(text.value());
     }
 
     @Override
@@ -116,7 +121,7 @@ final class LineFileConnection extends Connection {
     }
 
     /** The form {@code {line: PATTERN, event: EVENT}}. */
-    private void pattern(Section rule, java.util.function.Function<Node.Text, String> known, Adding adding) {
+    private void pattern(Section rule, Function<Node.Text, String> known, Adding adding) {
         if (!rule.has("values") || rule.has("line") || rule.has("event")) {
             rule.require("line");
             Pattern line = rule.pattern("line").orElse(null);
@@ -152,11 +157,28 @@ final class LineFileConnection extends Connection {
         });
         device.section("ask").ifPresent(ask -> {
             Duration within = ask.duration("within").orElse(Duration.ofSeconds(2));
+            if (states.isEmpty()) {
+                ask.problem("an answer to " + ask.name() + " is one of the lines of device.state, which has none");
+            }
             ask.need("line")
                     .flatMap(line -> oneLine(ask, line))
                     .ifPresent(line -> duties.add(execute -> execute.asking(line, states, within)));
             ask.done();
         });
+    }
+
+    @Override
+    public @Nullable Outward outward(Section action) {
+        String line = action.need("line").flatMap(text -> oneLine(action, text)).orElse(null);
+        return line == null ? null : values -> send(line);
+    }
+
+    private void send(String line) throws IOException {
+        LineConnection open = assembled;
+        if (open == null) {
+            throw new IOException("there is no connection " + name() + " here");
+        }
+        open.send(line);
     }
 
     @Override
@@ -166,6 +188,7 @@ final class LineFileConnection extends Connection {
         }
         LineConnection connection = new LineConnection(transport, clock);
         settings.forEach(each -> each.accept(connection));
+        assembled = connection;
         LineMonitor monitor = new LineMonitor(name(), connection);
         rules.forEach(each -> each.accept(monitor));
         List<LineExecute> executes = new ArrayList<>();
