@@ -6,14 +6,15 @@ import static org.awaitility.Awaitility.await;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.PipedInputStream;
-import java.io.PipedOutputStream;
+import java.io.InterruptedIOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -76,14 +77,14 @@ class DeviceProgramTest {
     private final InputStream in = System.in;
     private final PrintStream out = System.out;
     private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
-    private final PipedOutputStream typed = new PipedOutputStream();
+    private final BlockingQueue<Byte> typed = new LinkedBlockingQueue<>();
 
     @TempDir
     private Path folder;
 
     @BeforeEach
     void redirect() throws IOException {
-        System.setIn(new PipedInputStream(typed));
+        System.setIn(new Typed());
         System.setOut(new PrintStream(printed, true, StandardCharsets.UTF_8));
         Files.writeString(folder.resolve("lamp.md"), MODELS);
     }
@@ -94,9 +95,28 @@ class DeviceProgramTest {
         System.setOut(out);
     }
 
-    private void type(String line) throws IOException {
-        typed.write((line + "\n").getBytes(StandardCharsets.UTF_8));
-        typed.flush();
+    private void type(String line) {
+        for (byte each : (line + "\n").getBytes(StandardCharsets.UTF_8)) {
+            typed.add(each);
+        }
+    }
+
+    /** What is typed, whichever threads read it. */
+    private final class Typed extends InputStream {
+        @Override
+        public int read() throws IOException {
+            try {
+                return typed.take();
+            } catch (InterruptedException end) {
+                throw new InterruptedIOException();
+            }
+        }
+
+        @Override
+        public int read(byte[] bytes, int from, int most) throws IOException {
+            bytes[from] = (byte) read();
+            return 1;
+        }
     }
 
     private String printed() {
