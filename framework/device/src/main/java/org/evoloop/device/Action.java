@@ -1,6 +1,8 @@
 package org.evoloop.device;
 
 import java.time.Duration;
+import java.util.function.Consumer;
+import org.evoloop.evolution.Values;
 
 /**
  * One thing that a function of a device file does.
@@ -26,7 +28,17 @@ sealed interface Action {
     /**
      * Does something outside of the converter.
      *
+     * @param to where
      * @param what for messages
      */
-    record Do(String what, Outward outward) implements Action {}
+    record Do(Connection to, String what, Outward outward) implements Action {
+        /** Does it; if the connection is only played, {@code played} is told instead. */
+        void perform(Values values, Consumer<String> played) throws Exception {
+            if (to.isPlayed()) {
+                played.accept(what);
+            } else {
+                outward.perform(values);
+            }
+        }
+    }
 }

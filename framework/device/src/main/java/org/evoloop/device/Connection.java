@@ -18,6 +18,7 @@ import org.jspecify.annotations.Nullable;
 public abstract class Connection {
     private final String name;
     private final String kind;
+    private volatile boolean assembled;
 
     /**
      * @param name in the file
@@ -78,6 +79,17 @@ public abstract class Connection {
         return null;
     }
 
-    /** The components; nothing is opened before {@link Parts#open}. */
-    public abstract Parts assemble(Clock clock);
+    /** Whether it is only played: nothing is ever sent over it, since no components have been made. */
+    public final boolean isPlayed() {
+        return !assembled;
+    }
+
+    /** Makes the components; nothing is opened before {@link Parts#open}. */
+    public final Parts assemble(Clock clock) {
+        assembled = true;
+        return make(clock);
+    }
+
+    /** As {@link #assemble}. */
+    protected abstract Parts make(Clock clock);
 }

@@ -23,6 +23,8 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.testkit.SimulatedDevice;
 import org.evoloop.xmi.ModelReference;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * A converter as a file: its models, how device and controller are connected, and its functions.
@@ -34,6 +36,8 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public final class DeviceFile {
+    private static final Logger LOG = LoggerFactory.getLogger(DeviceFile.class);
+
     private final Path path;
     private final String name;
     private final FileModels models;
@@ -284,7 +288,7 @@ public final class DeviceFile {
                 Action.Do action = functionReader.outward(section);
                 section.done();
                 if (action != null) {
-                    effects.put(text.value(), action.outward()::perform);
+                    effects.put(text.value(), values -> action.perform(values, what -> LOG.info("{}", what)));
                 }
             });
         }

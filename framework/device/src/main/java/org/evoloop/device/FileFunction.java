@@ -105,14 +105,14 @@ record FileFunction(
         } else if (action instanceof Action.Say say) {
             visit.say(say.text());
         } else if (action instanceof Action.Do outside) {
-            outside.outward().perform(Values.NONE);
+            outside.perform(Values.NONE, visit::say);
         }
     }
 
     private void leave() {
         for (Action.Do action : onExit) {
             try {
-                action.outward().perform(Values.NONE);
+                action.perform(Values.NONE, what -> LOG.debug("{}", what));
             } catch (InterruptedException stop) {
                 Thread.currentThread().interrupt();
                 return;

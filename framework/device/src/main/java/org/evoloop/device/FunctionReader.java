@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
 import org.jspecify.annotations.Nullable;
@@ -114,10 +115,21 @@ final class FunctionReader {
         };
     }
 
+    /** For messages: {@code to panel: LED ON}. */
+    private static String what(Section section) {
+        String more = section.keys().stream()
+                .filter(key -> !List.of("to", "every", "time").contains(key.value()))
+                .flatMap(key -> section.any(key.value()).stream())
+                .filter(Node.Text.class::isInstance)
+                .map(Node::toString)
+                .collect(Collectors.joining(" "));
+        return "to " + section.text("to").map(Node.Text::value).orElse("") + ": " + more;
+    }
+
     /** What is done outside of the converter: {@code to: CONNECTION}, and what that connection asks for. */
     Action.@Nullable Do outward(Section section) {
         Connection connection = connections.named(section, "to");
         Outward outward = connection == null ? null : connection.outward(section);
-        return connection == null || outward == null ? null : new Action.Do("to " + connection.name(), outward);
+        return connection == null || outward == null ? null : new Action.Do(connection, what(section), outward);
     }
 }

@@ -31,7 +31,7 @@ final class LineFileConnection extends Connection {
     private final Map<String, String> lines = new LinkedHashMap<>();
     private final Map<String, String> states = new LinkedHashMap<>();
 
-    private volatile @Nullable LineConnection assembled;
+    private volatile @Nullable LineConnection opened;
 
     private LineFileConnection(String name, @Nullable LineTransport transport, FileModels models) {
         super(name, "lines");
@@ -174,7 +174,7 @@ final class LineFileConnection extends Connection {
     }
 
     private void send(String line) throws IOException {
-        LineConnection open = assembled;
+        LineConnection open = opened;
         if (open == null) {
             throw new IOException("there is no connection " + name() + " here");
         }
@@ -182,13 +182,13 @@ final class LineFileConnection extends Connection {
     }
 
     @Override
-    public Parts assemble(Clock clock) {
+    protected Parts make(Clock clock) {
         if (transport == null) {
             throw new IllegalStateException("the address of " + name() + " was refused");
         }
         LineConnection connection = new LineConnection(transport, clock);
         settings.forEach(each -> each.accept(connection));
-        assembled = connection;
+        opened = connection;
         LineMonitor monitor = new LineMonitor(name(), connection);
         rules.forEach(each -> each.accept(monitor));
         List<LineExecute> executes = new ArrayList<>();

@@ -166,6 +166,7 @@ class DeviceProgramTest {
         CompletableFuture<Integer> status = run("tcp://127.0.0.1:1", "--simulate", "--start");
         type("press timed");
         awaitHistory("timed (controller)  (Off, Off) -> (On, Timed)");
+        await().until(() -> printed().contains("to lamp: LED ON"));
         type("device burnt");
         awaitHistory("(On, Timed) -> (Off, Off)");
         type("press warm");
