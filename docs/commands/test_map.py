@@ -1,4 +1,4 @@
-"""CONTRIBUTING.md's table of where to change what names files, folders and classes that exist."""
+"""The maps: docs/README.md names every page, and CONTRIBUTING.md's table of where to change what names what exists."""
 
 from __future__ import annotations
 
@@ -12,6 +12,13 @@ _NAME = re.compile(r"`([A-Z]\w+|[\w./-]+\.\w+|[a-z]+(?:[-/][a-z/-]+)?)`")
 
 
 class MapTest(unittest.TestCase):
+    def test_every_page_can_be_reached_from_the_map(self) -> None:
+        listed = (ROOT / "docs" / "README.md").read_text(encoding="utf-8")
+        for file in (ROOT / "docs").glob("**/*.md"):
+            name = file.relative_to(ROOT / "docs").as_posix()
+            with self.subTest(file=name):
+                self.assertTrue(name == "README.md" or f"({name}" in listed, "add it to docs/README.md")
+
     def test_what_the_table_names_exists(self) -> None:
         section = _SECTION.search((ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8"))
         assert section

@@ -83,7 +83,7 @@ class SiteTest(unittest.TestCase):
     def test_a_link_that_leads_nowhere_is_refused_by_name(self) -> None:
         with tempfile.TemporaryDirectory() as folder:
             Path(folder, "pages").mkdir()
-            Path(folder, "pages", "README.md").write_text("# A page\n\n[nowhere](docs/gone.md#x)\n", encoding="utf-8")
+            Path(folder, "pages", "README.md").write_text("# A page\n\n[nowhere](docs/gone.md#x) [neither](#gone)\n", encoding="utf-8")
             result = subprocess.run(
                 [ROOT / "target/site-venv/bin/mkdocs", "build", "-f", ROOT / "docs/site/mkdocs.yml", "-d", Path(folder, "site")],
                 env={**os.environ, "EVOLOOP_PAGES": str(Path(folder, "pages"))},
@@ -93,6 +93,7 @@ class SiteTest(unittest.TestCase):
             )
         self.assertEqual(result.returncode, 1)
         self.assertIn("'README.md' contains a link 'docs/gone.md#x', but the target 'docs/gone.md' is not found", result.stderr)
+        self.assertIn("'README.md' contains a link '#gone', but there is no such anchor on this page", result.stderr)
 
 
 if __name__ == "__main__":
