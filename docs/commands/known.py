@@ -342,6 +342,7 @@ KNOWN = [
         "./mvnw -pl roomba-converter -am -Dslow -Dsurefire.failIfNoSpecifiedTests=false -Dtest=NAME test",
         why_not="its tests are among those of ./evoloop test --slow, which runs this",
     ),
+    typed("./evoloop test --help", shows="--fresh"),
     typed("./evoloop fuzz --help", shows="--minutes N"),
     Known("./evoloop fuzz --minutes 10", why_not="takes ten minutes for each of its targets"),
     typed("./evoloop fuzz commands --minutes 1", slow=True, shows="commands: "),
