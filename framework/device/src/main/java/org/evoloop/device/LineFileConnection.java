@@ -148,6 +148,9 @@ final class LineFileConnection extends Connection {
 
     @Override
     public void device(Section device) {
+        if (lines.isEmpty()) {
+            return;
+        }
         device.section("answer").ifPresent(answer -> {
             String ok = answer.pattern("ok").map(Pattern::pattern).orElse("OK");
             String error = answer.pattern("error").map(Pattern::pattern).orElse("ERR.*");

@@ -1,0 +1,244 @@
+package org.evoloop.device;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import org.evoloop.device.file.Node;
+import org.evoloop.device.file.Section;
+import org.evoloop.mqtt.BrokerAddress;
+import org.evoloop.mqtt.BrokerConnection;
+import org.evoloop.mqtt.Message;
+import org.evoloop.mqtt.MqttDevice;
+import org.evoloop.mqtt.MqttExecute;
+import org.evoloop.mqtt.MqttMonitor;
+import org.evoloop.payload.Match;
+import org.evoloop.payload.Meanings;
+import org.evoloop.payload.Part;
+import org.evoloop.payload.Template;
+import org.evoloop.time.Clock;
+import org.jspecify.annotations.Nullable;
+
+/** A device or a controller behind an MQTT broker, made of a {@link MqttMonitor} and a {@link MqttExecute}. */
+final class MqttFileConnection extends Connection {
+    private final FileModels models;
+    private final @Nullable BrokerAddress address;
+    private final @Nullable String commandTopic;
+    private final @Nullable String stateTopic;
+    private final List<Consumer<MqttDevice>> settings = new ArrayList<>();
+    private final List<Consumer<MqttMonitor>> rules = new ArrayList<>();
+    private final List<Consumer<MqttExecute>> duties = new ArrayList<>();
+    private final Map<String, Message> messages = new LinkedHashMap<>();
+    private final Map<String, Meanings> states = new LinkedHashMap<>();
+    private volatile @Nullable BrokerConnection opened;
+
+    private MqttFileConnection(
+            String name,
+            @Nullable BrokerAddress address,
+            @Nullable String commandTopic,
+            @Nullable String stateTopic,
+            FileModels models) {
+        super(name, "mqtt");
+        this.address = address;
+        this.commandTopic = commandTopic;
+        this.stateTopic = stateTopic;
+        this.models = models;
+    }
+
+    static MqttFileConnection read(String name, Section section, FileModels models) {
+        BrokerAddress address = section.value("mqtt", BrokerAddress::parse).orElse(null);
+        Optional<String> password = section.value("password-file", file -> secret(section, file));
+        if (address != null && password.isPresent()) {
+            address = address.withPassword(password.get());
+        }
+        MqttFileConnection connection = new MqttFileConnection(
+                name, address, topic(section, "command-topic"), topic(section, "state-topic"), models);
+        section.section("availability").ifPresent(availability -> {
+            availability.require("topic");
+            String topic = topic(availability, "topic");
+            Part part = MeaningReader.part(availability).orElse(Part.WHOLE);
+            String online = availability.text("online").map(Node.Text::value).orElse("online");
+            availability.done();
+            if (topic != null) {
+                connection.settings.add(device -> device.availability(topic, Match.exactly(online).in(part)));
+            }
+        });
+        return connection;
+    }
+
+    private static String secret(Section section, String file) {
+        Path path = section.problems().file().resolveSibling(file);
+        try {
+            String text = Files.readString(path).strip();
+            if (text.isEmpty()) {
+                throw new IllegalArgumentException(path + " is empty; write the password into it");
+            }
+            return text;
+        } catch (IOException unreadable) {
+            throw new IllegalArgumentException(
+                    path + " cannot be read; check that it is there, and that this program's user may read it");
+        }
+    }
+
+    private static @Nullable String topic(Section section, String key) {
+        return section.value(key, MqttFileConnection::exactTopic).orElse(null);
+    }
+
+    private static String exactTopic(String text) {
+        if (text.isEmpty() || text.matches(".*[#+\\u0000].*")) {
+            throw new IllegalArgumentException("'" + text + "' is no topic; wildcards (+ and #) are not supported");
+        }
+        return text;
+    }
+
+    @Override
+    public String shortSend() {
+        return "payload";
+    }
+
+    @Override
+    public void send(Node.Text event, Section how) {
+        message(how).ifPresent(message -> messages.put(event.value(), message));
+    }
+
+    private Optional<Message> message(Section how) {
+        String topic = how.has("topic") ? topic(how, "topic") : commandTopic;
+        if (topic == null && !how.has("topic")) {
+            how.problem(how.name() + " needs topic; or give the connection " + name() + " a command-topic");
+        }
+        Optional<String> payload = how.need("payload").flatMap(text -> {
+            try {
+                return Optional.of(Template.of(text.value()).toString());
+            } catch (IllegalArgumentException wrong) {
+                how.problems().at(text, "payload: " + wrong.getMessage());
+                return Optional.empty();
+            }
+        });
+        return topic == null ? Optional.empty() : payload.map(text -> Message.command(topic, text));
+    }
+
+    /** The topic of a rule, else that of the connection's state. */
+    private @Nullable String topicOf(Section rule) {
+        if (rule.has("topic")) {
+            return topic(rule, "topic");
+        }
+        if (stateTopic == null) {
+            rule.problem(rule.name() + " needs topic; or give the connection " + name() + " a state-topic");
+        }
+        return stateTopic;
+    }
+
+    @Override
+    public void state(Section rule) {
+        String topic = topicOf(rule);
+        Meanings meanings = MeaningReader.read(rule, "state", models::deviceState);
+        if (topic != null) {
+            states.put(topic, meanings);
+            rules.add(monitor -> monitor.found(topic, meanings));
+        }
+    }
+
+    @Override
+    public void does(Section rule) {
+        events(rule, models::devicesOwn, MqttMonitor::device);
+    }
+
+    @Override
+    public void press(Section rule) {
+        events(rule, models::pressed, MqttMonitor::controller);
+    }
+
+    /** Adds a rule to a monitor. */
+    private interface Adding {
+        MqttMonitor to(MqttMonitor monitor, String topic, Meanings events);
+    }
+
+    private void events(Section rule, Function<Node.Text, String> known, Adding adding) {
+        String topic = topicOf(rule);
+        Meanings meanings = MeaningReader.read(rule, "event", known);
+        if (topic != null) {
+            rules.add(monitor -> adding.to(monitor, topic, meanings));
+        }
+    }
+
+    @Override
+    public void reading(Node.Text reading, Section rule) {
+        String topic = topicOf(rule);
+        Part part = MeaningReader.part(rule).orElse(Part.WHOLE);
+        String unit = rule.text("unit").map(Node.Text::value).orElse("");
+        if (topic != null) {
+            settings.add(device -> device.reading(reading.value(), topic, part, unit));
+        }
+    }
+
+    @Override
+    public void device(Section device) {
+        if (messages.isEmpty()) {
+            return;
+        }
+        device.section("confirmed").ifPresent(confirmed -> {
+            Duration within = confirmed.duration("within").orElse(Duration.ofSeconds(2));
+            requireStates(confirmed);
+            states.forEach((topic, meanings) -> duties.add(execute -> execute.confirmedBy(topic, meanings, within)));
+            confirmed.done();
+        });
+        device.section("ask").ifPresent(ask -> {
+            Duration within = ask.duration("within").orElse(Duration.ofSeconds(2));
+            requireStates(ask);
+            message(ask)
+                    .ifPresent(question -> states.forEach((topic, meanings) ->
+                            duties.add(execute -> execute.asking(question, topic, meanings, within))));
+            ask.done();
+        });
+        device.duration("ready-after").ifPresent(pause -> duties.add(execute -> execute.readyAfter(pause)));
+    }
+
+    private void requireStates(Section section) {
+        if (states.isEmpty()) {
+            section.problem(section.name() + " is about what device.state reports, and there is none over " + name());
+        }
+    }
+
+    @Override
+    public @Nullable Outward outward(Section action) {
+        Message message = message(action).orElse(null);
+        return message == null
+                ? null
+                : values -> {
+                    BrokerConnection open = opened;
+                    if (open == null || !open.isUp()) {
+                        throw new IOException("the broker cannot be reached");
+                    }
+                    open.publish(new Message(
+                            message.topic(), Template.of(message.payload()).with(values), message.kind()));
+                };
+    }
+
+    @Override
+    protected Parts make(Clock clock) {
+        if (address == null) {
+            throw new IllegalStateException("the address of " + name() + " was refused");
+        }
+        BrokerConnection connection = new BrokerConnection(
+                address, "evoloop-" + name() + "-" + ProcessHandle.current().pid());
+        opened = connection;
+        MqttDevice device = new MqttDevice(connection, clock);
+        settings.forEach(each -> each.accept(device));
+        MqttMonitor monitor = new MqttMonitor(name(), connection);
+        rules.forEach(each -> each.accept(monitor));
+        List<MqttExecute> executes = new ArrayList<>();
+        if (!messages.isEmpty()) {
+            MqttExecute execute = new MqttExecute(name() + "Execute", device, messages);
+            duties.forEach(each -> each.accept(execute));
+            executes.add(execute);
+        }
+        return new Parts(List.of(monitor), List.copyOf(executes), device, connection::open, connection::close);
+    }
+}

@@ -1,0 +1,19 @@
+package org.evoloop.device;
+
+import org.evoloop.device.file.Section;
+
+/** {@code mqtt: mqtt://HOST}: a device or a controller behind an MQTT broker. */
+public final class MqttKind implements ConnectionKind {
+    /** For {@link java.util.ServiceLoader}. */
+    public MqttKind() {}
+
+    @Override
+    public String key() {
+        return "mqtt";
+    }
+
+    @Override
+    public Connection read(String name, Section section, FileModels models) {
+        return MqttFileConnection.read(name, section, models);
+    }
+}
