@@ -42,12 +42,20 @@ public final class Meanings {
         this.rules = rules;
     }
 
-    /** @param exact the names, by message */
+    /**
+     * Messages that mean something as a whole.
+     *
+     * @param exact the names, by message
+     */
     public static Meanings of(Map<String, String> exact) {
         return in(Part.WHOLE, exact);
     }
 
-    /** @param exact the names, by the value at this JSON pointer */
+    /**
+     * Messages that mean something by their value at this JSON pointer; see {@link Part#at}.
+     *
+     * @param exact the names, by value
+     */
     public static Meanings at(String pointer, Map<String, String> exact) {
         return in(Part.at(pointer), exact);
     }

@@ -97,7 +97,7 @@ public final class Template {
             Object value = values.byName().get(place.name());
             if (value == null) {
                 throw new IllegalArgumentException("the event carries no " + place.name()
-                        + (values.isEmpty() ? "" : ", only " + values) + ", which '" + text + "' needs");
+                        + (values.isEmpty() ? "" : ", only " + values) + ", which the message needs");
             }
             filled.append(text, from, place.start()).append(written(value, place.form()));
             from = place.end();

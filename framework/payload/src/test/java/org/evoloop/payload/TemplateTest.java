@@ -45,7 +45,7 @@ class TemplateTest {
         assertThat(template.names()).containsExactly("degrees");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> template.with(Values.NONE))
-                .withMessage("the event carries no degrees, which 'set ${degrees}' needs");
+                .withMessage("the event carries no degrees, which the message needs");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> template.with(Values.of("n", 1)))
                 .withMessageContaining("only n=1");
