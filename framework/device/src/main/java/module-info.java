@@ -8,6 +8,7 @@ module org.evoloop.device {
     requires org.evoloop.line;
     requires org.evoloop.mqtt;
     requires org.evoloop.page;
+    requires org.evoloop.payload;
     requires org.evoloop.program;
     requires org.evoloop.service;
     requires transitive org.evoloop.testkit;
@@ -21,5 +22,6 @@ module org.evoloop.device {
     uses org.evoloop.device.ConnectionKind;
 
     provides org.evoloop.device.ConnectionKind with
-            org.evoloop.device.LineKind;
+            org.evoloop.device.LineKind,
+            org.evoloop.device.MqttKind;
 }

@@ -2,6 +2,7 @@
 module org.evoloop.http {
     requires static org.jspecify;
     requires transitive org.evoloop.core;
+    requires transitive org.evoloop.payload;
     requires jdk.httpserver;
     requires org.slf4j;
 

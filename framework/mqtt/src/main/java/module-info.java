@@ -4,6 +4,7 @@ module org.evoloop.mqtt {
     requires static org.jspecify;
     requires transitive org.evoloop.config;
     requires transitive org.evoloop.console;
+    requires transitive org.evoloop.payload;
     requires com.hivemq.client.mqtt;
     requires org.slf4j;
 

@@ -22,11 +22,26 @@ final class Health {
     private @Nullable Instant downSince = Instant.now();
     private long attempts;
     private long judged;
+    private int patience;
+    private int misses;
 
-    /** @param place the device's address, for messages */
-    Health(String place) {
+    /**
+     * @param place the device's address, for messages
+     * @param patience how many attempts in a row must fail until the device counts as gone
+     */
+    Health(String place, int patience) {
         this.place = place;
+        patience(patience);
         this.trouble = place + " has not been reached yet";
+    }
+
+    /** Sets how many attempts in a row must fail. */
+    final synchronized void patience(int attemptsInARow) {
+        if (attemptsInARow < 1) {
+            throw new IllegalArgumentException(
+                    place + " cannot be gone after " + attemptsInARow + " unanswered questions; give at least 1");
+        }
+        patience = attemptsInARow;
     }
 
     /** An attempt. */
@@ -58,6 +73,10 @@ final class Health {
             return;
         }
         judged = number;
+        misses = wrong.isEmpty() ? 0 : misses + 1;
+        if (misses > 0 && misses < patience && trouble.isEmpty()) {
+            return;
+        }
         trouble = wrong;
         if (wrong.isEmpty()) {
             reached = Instant.now();

@@ -5,9 +5,12 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import org.evoloop.evolution.Values;
+import org.evoloop.payload.Template;
 
 /**
- * A request to a device.
+ * A request to a device. The address of {@link #get}, {@link #post} and {@link #put}, and the body, may contain values
+ * of the event, as in {@code http://fan.local/speed/${speed}}; see {@link Template}.
  *
  * <p>Threading: immutable.
  *
@@ -39,19 +42,31 @@ public record HttpCall(String method, URI address, Map<String, String> headers, 
         });
     }
 
+    /** A URI cannot contain the braces of places for values, so they are escaped. */
+    private static URI uri(String address) {
+        return URI.create(address.replace("{", "%7B").replace("}", "%7D"));
+    }
+
+    /** A copy with an event's values in their places. @throws IllegalArgumentException if one is missing */
+    HttpCall with(Values values) {
+        String places = address.toString().replace("%7B", "{").replace("%7D", "}");
+        return new HttpCall(
+                method, uri(Template.url(places).with(values)), headers, Template.of(body).with(values), repeatable);
+    }
+
     /** A GET, which many devices accept as a command. */
     public static HttpCall get(String address) {
-        return new HttpCall("GET", URI.create(address), Map.of(), "", false);
+        return new HttpCall("GET", uri(address), Map.of(), "", false);
     }
 
     /** A POST with this body. */
     public static HttpCall post(String address, String body) {
-        return new HttpCall("POST", URI.create(address), Map.of(), body, false);
+        return new HttpCall("POST", uri(address), Map.of(), body, false);
     }
 
     /** A PUT with this body. */
     public static HttpCall put(String address, String body) {
-        return new HttpCall("PUT", URI.create(address), Map.of(), body, false);
+        return new HttpCall("PUT", uri(address), Map.of(), body, false);
     }
 
     /** A copy with another header, such as {@code Content-Type} or {@code Authorization}. */

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -15,6 +16,10 @@ import org.evoloop.converter.DeviceLink;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
+import org.evoloop.payload.Meanings;
+import org.evoloop.payload.Rest;
+import org.evoloop.payload.Template;
+import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -24,6 +29,8 @@ import org.jspecify.annotations.Nullable;
  * new HttpExecute("Lamp", Map.of("switch", HttpCall.post("http://lamp.local/toggle", "")), Duration.ofSeconds(3))
  *         .asking(HttpCall.get("http://lamp.local/state"), answer -> answer.contains("on") ? "on" : "off");
  * }</pre>
+ *
+ * <p>Address and body may contain the event's values, see {@link Template}.
  *
  * <p>A step has been executed when the device answers with a status of 200 to 299. It fails if the answer has another
  * status or does not come in time. In the latter case the request may or may not have arrived: it is never sent again,
@@ -46,6 +53,8 @@ public class HttpExecute extends EventExecute implements DeviceLink {
     private final Health health;
     private Duration period = Duration.ofSeconds(10);
     private @Nullable Thread watch;
+    private @Nullable ReentrantLock turn;
+    private @Nullable Rest rest;
 
     /**
      * A component that sends these events.
@@ -58,7 +67,7 @@ public class HttpExecute extends EventExecute implements DeviceLink {
         super(name);
         this.calls = Map.copyOf(calls);
         this.caller = new Caller(limit);
-        this.health = new Health(devices().map(HttpCall::device).collect(Collectors.joining(" and ")));
+        this.health = new Health(devices().map(HttpCall::device).collect(Collectors.joining(" and ")), 1);
     }
 
     /** A call to each of the devices, usually one. */
@@ -87,9 +96,36 @@ public class HttpExecute extends EventExecute implements DeviceLink {
         return this;
     }
 
+    /** As {@link #asking(HttpCall, Function)}; an answer without a meaning is no answer. */
+    public final HttpExecute asking(HttpCall call, Meanings meanings) {
+        return asking(call, answer -> meanings.nameOf(answer).orElseThrow(() -> new IllegalStateException(
+                call + " was answered with something that is no known state of the device")));
+    }
+
+    /** Sets how long the device needs after each request before it takes the next one. */
+    public final HttpExecute readyAfter(Duration pause, Clock clock) {
+        rest = new Rest(clock, pause);
+        return this;
+    }
+
+    /** The lock that is held while a step is carried out, so that a monitor's questions are not asked meanwhile. */
+    final ReentrantLock takeTurns() {
+        if (turn == null) {
+            turn = new ReentrantLock(true);
+        }
+        return turn;
+    }
+
     @Override
     protected final Set<String> sendableEvents() {
         return calls.keySet();
+    }
+
+    @Override
+    protected void awaitReady(Step step) throws InterruptedException {
+        if (rest != null) {
+            rest.await();
+        }
     }
 
     @Override
@@ -98,11 +134,32 @@ public class HttpExecute extends EventExecute implements DeviceLink {
         if (call == null) {
             throw new IllegalArgumentException(name() + " has no request for " + step.event());
         }
+        HttpCall filled = call.with(values());
+        ReentrantLock held = turn;
+        if (held == null) {
+            send(step, filled);
+            return;
+        }
+        held.lockInterruptibly();
+        try {
+            send(step, filled);
+            // Before the next question, whose answer then comes after the step.
+            tookEffect();
+        } finally {
+            held.unlock();
+        }
+    }
+
+    private void send(Step step, HttpCall call) throws IOException, InterruptedException {
         try {
             health.noting(() -> caller.call(call, answer -> ""));
         } catch (UnansweredException unanswered) {
             if (!locate().equals(Optional.of(step.target().name()))) {
                 throw unanswered;
+            }
+        } finally {
+            if (rest != null) {
+                rest.begin();
             }
         }
     }

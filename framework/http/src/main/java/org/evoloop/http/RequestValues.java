@@ -9,11 +9,11 @@ import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import org.evoloop.evolution.Values;
+import org.evoloop.payload.Texts;
 
 /** The event values in a request. */
 final class RequestValues {
     private static final int LONGEST_BODY = 4_096;
-    private static final String NUMBER = "[+-]?[0-9]{1,15}(\\.[0-9]{1,15})?";
 
     private RequestValues() {}
 
@@ -25,7 +25,7 @@ final class RequestValues {
             int sign = parameter.indexOf('=');
             if (sign > 0) {
                 values = values.with(
-                        decoded(parameter.substring(0, sign)), value(decoded(parameter.substring(sign + 1))));
+                        decoded(parameter.substring(0, sign)), Texts.value(decoded(parameter.substring(sign + 1))));
             }
         }
         byte[] body = body(exchange);
@@ -59,10 +59,6 @@ final class RequestValues {
 
     private static String decoded(String text) {
         return URLDecoder.decode(text, StandardCharsets.UTF_8);
-    }
-
-    private static Object value(String text) {
-        return text.matches(NUMBER) ? Double.valueOf(text) : text;
     }
 
     private static String text(byte[] body) {

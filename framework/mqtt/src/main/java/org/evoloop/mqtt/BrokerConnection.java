@@ -2,6 +2,8 @@ package org.evoloop.mqtt;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -41,7 +43,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
 
     private final BrokerAddress address;
     private final String client;
-    private final Map<String, Consumer<Message>> consumers = new LinkedHashMap<>();
+    private final Map<String, Deque<Consumer<Message>>> consumers = new LinkedHashMap<>();
     private final List<Runnable> whenLost = new CopyOnWriteArrayList<>();
     private final Outbox outbox = new Outbox();
     private final Attempts attempts = new Attempts();
@@ -78,14 +80,26 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
      * retained is a {@link Message.Kind#STATE}, any other a {@link Message.Kind#COMMAND}. If {@code consumer} throws, that
      * is logged the first time, and later messages still arrive.
      *
+     * Several consumers of a topic are called in the order in which they were added.
+     *
      * @param topic the topic, without wildcards
-     * @throws IllegalStateException if it is open, or this topic has a consumer already
+     * @throws IllegalStateException if it is open
      */
     public synchronized void subscribe(String topic, Consumer<Message> consumer) {
-        if (thread != null || consumers.putIfAbsent(topic, consumer) != null) {
-            throw new IllegalStateException("the topic " + topic + " of " + address
-                    + (thread != null ? " must be subscribed to before the connection is opened" : " has a consumer"));
+        consumersOf(topic).addLast(consumer);
+    }
+
+    /** As {@link #subscribe}; {@code consumer} is called before those that are there. */
+    synchronized void subscribeFirst(String topic, Consumer<Message> consumer) {
+        consumersOf(topic).addFirst(consumer);
+    }
+
+    private Deque<Consumer<Message>> consumersOf(String topic) {
+        if (thread != null) {
+            throw new IllegalStateException(
+                    "the topic " + topic + " of " + address + " must be subscribed to before the connection is opened");
         }
+        return consumers.computeIfAbsent(topic, unused -> new ArrayDeque<>());
     }
 
     /** Starts connecting; does nothing if it was opened before. */
@@ -206,13 +220,16 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
     }
 
     private void receive(Message message) {
-        Consumer<Message> consumer;
+        List<Consumer<Message>> all;
         synchronized (this) {
-            consumer = consumers.get(message.topic());
+            all = List.copyOf(consumers.getOrDefault(message.topic(), new ArrayDeque<>()));
         }
-        if (consumer == null || closing) {
-            return;
+        if (!closing) {
+            all.forEach(consumer -> hand(message, consumer));
         }
+    }
+
+    private void hand(Message message, Consumer<Message> consumer) {
         try {
             consumer.accept(message);
         } catch (RuntimeException wrong) {

@@ -1,11 +1,15 @@
 package org.evoloop.mqtt;
 
+import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import org.evoloop.converter.PushMonitor;
+import org.evoloop.payload.Meanings;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -19,7 +23,8 @@ import org.slf4j.LoggerFactory;
  *
  * <p>With {@link #bypassed} the controller's events may reach the device while this converter is gone.
  *
- * <p>Retained messages are old and therefore ignored. So are payloads that are not listed.
+ * <p>The first rule of a topic that applies to a payload is used; a payload without one is ignored. A retained message
+ * is old: it is no event, but it is the device's state.
  *
  * <p>Lifecycle: configure it before the connection is opened.
  *
@@ -31,11 +36,14 @@ public class MqttMonitor extends PushMonitor {
     private static final Logger LOG = LoggerFactory.getLogger(MqttMonitor.class);
 
     private final BrokerConnection connection;
+    private final Map<String, List<Rule>> rules = new HashMap<>();
     private final Set<String> devicesOwn = new LinkedHashSet<>();
     private @Nullable Fence fence;
 
     /** How many of the events that a bypass has passed on have been reported to the converter. */
     private int received;
+
+    private record Rule(Meanings meanings, boolean ofState, Consumer<Meanings.Meaning> heard) {}
 
     /** @param name its name in the console, unique within a converter */
     public MqttMonitor(String name, BrokerConnection connection) {
@@ -49,9 +57,14 @@ public class MqttMonitor extends PushMonitor {
      * @param events the events by payload
      */
     public final MqttMonitor controller(String topic, Map<String, String> events) {
-        return on(topic, events, event -> {
+        return controller(topic, Meanings.of(events));
+    }
+
+    /** As {@link #controller(String, Map)}, with JSON, patterns and values. */
+    public final MqttMonitor controller(String topic, Meanings events) {
+        return on(topic, events, false, event -> {
             if (fence == null || fence.isPassed()) {
-                push(fromController(event));
+                push(fromController(event.name(), event.values()));
             }
         });
     }
@@ -62,8 +75,27 @@ public class MqttMonitor extends PushMonitor {
      * @param events the events by payload
      */
     public final MqttMonitor device(String topic, Map<String, String> events) {
-        devicesOwn.addAll(events.values());
-        return on(topic, events, event -> push(fromDevice(event)));
+        return device(topic, Meanings.of(events));
+    }
+
+    /** As {@link #device(String, Map)}, with JSON, patterns and values. */
+    public final MqttMonitor device(String topic, Meanings events) {
+        devicesOwn.addAll(events.names());
+        return on(topic, events, false, event -> push(fromDevice(event.name(), event.values())));
+    }
+
+    /**
+     * Sets the topic on which the device reports its state; what the broker has retained counts, too.
+     *
+     * @param states of the original model, by payload
+     */
+    public final MqttMonitor found(String topic, Map<String, String> states) {
+        return found(topic, Meanings.of(states));
+    }
+
+    /** As {@link #found(String, Map)}, with JSON and patterns. */
+    public final MqttMonitor found(String topic, Meanings states) {
+        return on(topic, states, true, state -> push(foundIn(state.name())));
     }
 
     /**
@@ -91,17 +123,29 @@ public class MqttMonitor extends PushMonitor {
         received = passed.size();
     }
 
-    private MqttMonitor on(String topic, Map<String, String> events, Consumer<String> heard) {
-        Map<String, String> known = Map.copyOf(events);
-        connection.subscribe(topic, message -> {
-            String event = known.get(message.payload());
-            if (event == null || message.kind() == Message.Kind.STATE) {
-                LOG.debug("{} ignores '{}' on {}", name(), message.payload(), topic);
-            } else {
-                heard.accept(event);
-            }
-        });
+    private MqttMonitor on(String topic, Meanings meanings, boolean ofState, Consumer<Meanings.Meaning> heard) {
+        List<Rule> ofTopic = rules.get(topic);
+        if (ofTopic == null) {
+            List<Rule> first = new CopyOnWriteArrayList<>();
+            connection.subscribe(topic, message -> hear(first, message));
+            rules.put(topic, first);
+            ofTopic = first;
+        }
+        ofTopic.add(new Rule(meanings, ofState, heard));
         return this;
+    }
+
+    private void hear(List<Rule> ofTopic, Message message) {
+        for (Rule rule : ofTopic) {
+            if (rule.ofState() || message.kind() != Message.Kind.STATE) {
+                Optional<Meanings.Meaning> meaning = rule.meanings().of(message.payload());
+                if (meaning.isPresent()) {
+                    rule.heard().accept(meaning.get());
+                    return;
+                }
+            }
+        }
+        LOG.debug("{} ignores '{}' on {}", name(), message.payload(), message.topic());
     }
 
     @Override

@@ -32,8 +32,10 @@ class MqttPartsTest {
             converter.addMonitor(new MqttMonitor("WallSwitch", connection)
                     .controller("switch/action", Map.of("single", "switch"))
                     .device("lamp/own", Map.of("toggled", "switch")));
-            converter.addExecute(
-                    new MqttExecute("Lamp", connection, Map.of("switch", Message.command("lamp/set", "TOGGLE"))));
+            converter.addExecute(new MqttExecute(
+                    "Lamp",
+                    new MqttDevice(connection, clock),
+                    Map.of("switch", Message.command("lamp/set", "TOGGLE"))));
             converter.addKnowledge(new LightBulb());
             converter.addLink(connection);
             converter.build();

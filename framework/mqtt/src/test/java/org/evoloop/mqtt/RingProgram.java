@@ -52,7 +52,7 @@ final class RingProgram {
                         LoopConfig.defaults("ring", clock).withQueueCapacity(100))) {
             converter.addMonitor(
                     new MqttMonitor("Buttons", broker).bypassed(BYPASS).controller(CONTROLLER, events()));
-            converter.addExecute(new MqttExecute("Ring", broker, messages("converted")));
+            converter.addExecute(new MqttExecute("Ring", new MqttDevice(broker, clock), messages("converted")));
             converter.addKnowledge(new StateKnowledge(new ModelPair(ring("original"), ring("new"))) {
                 @Override
                 protected void registerNewFunctions() {}

@@ -1,0 +1,259 @@
+package org.evoloop.http;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Consumer;
+import org.evoloop.converter.ConverterStatus;
+import org.evoloop.converter.DeviceLink;
+import org.evoloop.converter.PushMonitor;
+import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.evolution.DeviceEvents;
+import org.evoloop.function.Reading;
+import org.evoloop.payload.Meanings;
+import org.evoloop.payload.Meanings.Meaning;
+import org.evoloop.payload.Part;
+import org.evoloop.payload.Readings;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.time.Clock;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A monitor of a device that must be asked again and again, since it never calls:
+ *
+ * <pre>{@code
+ * HttpPoll espresso = new HttpPoll("Machine", converter, HttpCall.get("http://espresso.local/state"),
+ *                 Duration.ofSeconds(1), Duration.ofSeconds(2))
+ *         .found(Meanings.at("/state", Map.of("off", "Off", "ready", "Ready")))
+ *         .inferring()
+ *         .reading("water", Part.at("/temp"), "°C");
+ * converter.addMonitor(espresso);
+ * converter.addLink(espresso);
+ * }</pre>
+ *
+ * <p>What an answer means is reported when it changes; a state, whenever the converter's record differs.
+ *
+ * <p>Lifecycle: configure it, then {@link #open} after the converter has been built; {@link #close}.
+ *
+ * <p>Threading: as {@link PushMonitor}; the questions have a thread of their own.
+ *
+ * @since 0.1
+ */
+public class HttpPoll extends PushMonitor implements DeviceLink, AutoCloseable {
+    private static final int MISSES = 3;
+
+    private final SystemEventConverter converter;
+    private final HttpCall question;
+    private final Duration every;
+    private final Caller caller;
+    private final Health health;
+    private final Readings readings = new Readings();
+    private final List<Report> reports = new ArrayList<>();
+    private final Set<String> devicesOwn = new LinkedHashSet<>();
+    private Meanings states = Meanings.NONE;
+    private ReentrantLock turn = new ReentrantLock();
+    private boolean inferring;
+    private @Nullable Thread thread;
+    private boolean closed;
+
+    /** Events that are reported when the answer begins to mean them. */
+    private static final class Report {
+        private final Meanings events;
+        private final Consumer<Meaning> report;
+        private Optional<Meaning> last = Optional.empty();
+        private boolean heard;
+
+        private Report(Meanings events, Consumer<Meaning> report) {
+            this.events = events;
+            this.report = report;
+        }
+
+        private void hear(String answer) {
+            Optional<Meaning> now = events.of(answer);
+            if (heard && !last.equals(now)) {
+                now.ifPresent(report);
+            }
+            heard = true;
+            last = now;
+        }
+    }
+
+    /**
+     * A monitor of a device.
+     *
+     * @param name its name in the console, unique within a converter
+     * @param converter the converter to which it will be added
+     * @param question the request, usually a GET; it must have no effect at the device
+     * @param every the pause after each answer, more than 0
+     * @param limit the time limit for an answer
+     */
+    public HttpPoll(String name, SystemEventConverter converter, HttpCall question, Duration every, Duration limit) {
+        super(name);
+        if (every.isZero()) {
+            throw new IllegalArgumentException("no device can be asked without a pause; give " + name + " one");
+        }
+        this.converter = converter;
+        this.question = question;
+        this.every = Clock.requireDelay(every);
+        this.caller = new Caller(limit);
+        this.health = new Health(question.device(), MISSES);
+    }
+
+    /** Sets the states of the original model, by what the answer says. */
+    public final HttpPoll found(Meanings meanings) {
+        states = meanings;
+        return this;
+    }
+
+    /**
+     * Declares that a changed state is the device's own event if exactly one leads there from the state in which the
+     * converter believes the device to be. Other changes remain findings.
+     *
+     * @param more events that the device takes by itself, such as those of its own buttons, beside those that its model
+     *     declares to be its own
+     */
+    public final HttpPoll inferring(String... more) {
+        inferring = true;
+        devicesOwn.addAll(List.of(more));
+        return this;
+    }
+
+    /** Sets events of a controller that the answer reports; each occurs when the answer begins to mean it. */
+    public final HttpPoll controller(Meanings events) {
+        reports.add(new Report(events, event -> push(fromController(event.name(), event.values()))));
+        return this;
+    }
+
+    /** Sets what the device does by itself; see {@link #controller}. */
+    public final HttpPoll device(Meanings events) {
+        devicesOwn.addAll(events.names());
+        reports.add(new Report(events, event -> push(fromDevice(event.name(), event.values()))));
+        return this;
+    }
+
+    /** Adds a reading to the status; see {@link Readings#add}. */
+    public final HttpPoll reading(String name, Part part, String unit) {
+        readings.add("", name, part, unit);
+        return this;
+    }
+
+    /** Sets how many questions in a row must go unanswered until the device counts as gone; 3 by default. */
+    public final HttpPoll downAfter(int misses) {
+        health.patience(misses);
+        return this;
+    }
+
+    /**
+     * Declares that a component sends to the same device. Then no question is asked while a step is carried out, so that
+     * an answer is either older or newer than the step.
+     */
+    public final HttpPoll beside(HttpExecute execute) {
+        turn = execute.takeTurns();
+        return this;
+    }
+
+    /** Starts asking; does nothing if it was opened before, or is closed. */
+    public final synchronized HttpPoll open() {
+        if (thread == null && !closed) {
+            thread = new Thread(this::run, "http-" + name());
+            thread.setDaemon(true);
+            thread.start();
+        }
+        return this;
+    }
+
+    private void run() {
+        try {
+            while (!Thread.currentThread().isInterrupted()) {
+                look();
+                converter.clock().sleep(every);
+            }
+        } catch (InterruptedException | RejectedExecutionException end) {
+            // It is being closed, or the clock was.
+        }
+    }
+
+    private void look() throws InterruptedException {
+        turn.lockInterruptibly();
+        try {
+            String answer = health.noting(() -> caller.call(question, Reply::body));
+            readings.hear("", answer);
+            reports.forEach(report -> report.hear(answer));
+            states.nameOf(answer).ifPresent(this::locate);
+        } catch (IOException missed) {
+            if (!health.isUp()) {
+                readings.clear();
+            }
+        } finally {
+            turn.unlock();
+        }
+    }
+
+    private void locate(String state) {
+        ConverterStatus status = converter.status();
+        State record = status.states().original();
+        boolean certain = status.doubt().isEmpty();
+        if (!certain || !record.name().equals(state)) {
+            Optional<Event> event = certain && inferring ? onlyWay(record, new State(state)) : Optional.empty();
+            push(event.map(own -> fromDevice(own.name())).orElseGet(() -> foundIn(state)));
+        }
+    }
+
+    /** The only event of the device's own that leads from one state to another; empty if there are several, or none. */
+    private Optional<Event> onlyWay(State from, State to) {
+        StateMachine original = converter.knowledge().models().original();
+        Set<Event> own = new LinkedHashSet<>(
+                new DeviceEvents(Set.of(), Set.of()).declaredBy(original).spontaneous());
+        devicesOwn.forEach(name -> own.add(new Event(name)));
+        List<Event> ways = original.transitionsFrom(from).stream()
+                .filter(transition -> transition.target().equals(to))
+                .map(transition -> transition.event().trigger())
+                .filter(own::contains)
+                .distinct()
+                .toList();
+        return ways.size() == 1 ? Optional.of(ways.get(0)) : Optional.empty();
+    }
+
+    @Override
+    protected Set<String> spontaneousEvents() {
+        return Set.copyOf(devicesOwn);
+    }
+
+    @Override
+    public boolean isUp() {
+        return health.isUp();
+    }
+
+    @Override
+    public Optional<Instant> downSince() {
+        return health.downSince();
+    }
+
+    @Override
+    public List<Reading> readings() {
+        return readings.known();
+    }
+
+    @Override
+    public String describe() {
+        return health.describe();
+    }
+
+    /** Ends the questions. Idempotent. */
+    @Override
+    public final synchronized void close() {
+        closed = true;
+        if (thread != null) {
+            thread.interrupt();
+        }
+    }
+}

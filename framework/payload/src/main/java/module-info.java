@@ -1,0 +1,8 @@
+/** What the messages of a controller or a device mean. */
+module org.evoloop.payload {
+    requires static org.jspecify;
+    requires transitive org.evoloop.core;
+    requires tools.jackson.core;
+
+    exports org.evoloop.payload;
+}
