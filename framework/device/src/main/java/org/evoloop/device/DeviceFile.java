@@ -154,6 +154,10 @@ public final class DeviceFile {
 
     /** Reads the sections of a file that use its connections. */
     private static final class Reader {
+        /** Whatever has one of these keys is a rule, and no short form. */
+        private static final Set<String> RULE_KEYS =
+                Set.of("from", "values", "event", "state", "line", "topic", "json", "pattern", "ranges");
+
         private final Section file;
         private final FileModels models;
         private final Connections connections;
@@ -261,7 +265,7 @@ public final class DeviceFile {
                     && found.get() instanceof Node.Entries pairs
                     && !pairs.entries().isEmpty()) {
                 Section all = parent.section(key).orElseThrow();
-                boolean isRule = all.has("values") || all.has("from") || all.has("event");
+                boolean isRule = all.keys().stream().map(Node.Text::value).anyMatch(RULE_KEYS::contains);
                 rule(isRule ? all : wrapped(all), rule);
                 return;
             }

@@ -31,6 +31,7 @@ final class LineFileConnection extends Connection {
     private final Map<String, String> lines = new LinkedHashMap<>();
     private final Map<String, String> states = new LinkedHashMap<>();
 
+    private boolean sends;
     private volatile @Nullable LineConnection opened;
 
     private LineFileConnection(String name, @Nullable LineTransport transport, FileModels models) {
@@ -82,6 +83,7 @@ final class LineFileConnection extends Connection {
 
     @Override
     public void send(Node.Text event, Section how) {
+        sends = true;
         how.need("line").flatMap(line -> oneLine(how, line)).ifPresent(line -> lines.put(event.value(), line));
     }
 
@@ -148,7 +150,7 @@ final class LineFileConnection extends Connection {
 
     @Override
     public void device(Section device) {
-        if (lines.isEmpty()) {
+        if (!sends) {
             return;
         }
         device.section("answer").ifPresent(answer -> {

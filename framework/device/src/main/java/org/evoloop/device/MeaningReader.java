@@ -18,7 +18,8 @@ import org.jspecify.annotations.Nullable;
  * turn}} or {@code {json: /power, ranges: {Heating: 100..}}}.
  */
 final class MeaningReader {
-    private static final Pattern RANGE = Pattern.compile("(-?[0-9]{1,15}(?:\\.[0-9]+)?)?\\.\\.(-?[0-9]{1,15}(?:\\.[0-9]+)?)?");
+    private static final Pattern RANGE =
+            Pattern.compile("(-?[0-9]{1,15}(?:\\.[0-9]+)?)?\\.\\.(-?[0-9]{1,15}(?:\\.[0-9]+)?)?");
     private static final List<String> FORMS = List.of("values", "pattern", "ranges");
 
     private MeaningReader() {}
@@ -34,15 +35,16 @@ final class MeaningReader {
         Part part = part(rule).orElse(Part.WHOLE);
         List<String> given = FORMS.stream().filter(rule::has).toList();
         if (given.size() != 1) {
-            rule.problem(rule.name() + " needs " + (given.isEmpty() ? "one" : "only one") + " of " + String.join(", ", FORMS));
+            rule.problem(rule.name() + " needs " + (given.isEmpty() ? "one" : "only one") + " of "
+                    + String.join(", ", FORMS));
             return Meanings.NONE;
         }
         Meanings meanings = Meanings.NONE;
         switch (given.get(0)) {
             case "values" -> {
                 for (Map.Entry<Node.Text, Node.Text> pair : rule.pairs("values").entrySet()) {
-                    meanings = meanings.with(
-                            Match.exactly(pair.getKey().value()).in(part), known.apply(pair.getValue()));
+                    meanings =
+                            meanings.with(Match.exactly(pair.getKey().value()).in(part), known.apply(pair.getValue()));
                 }
             }
             case "pattern" -> {

@@ -37,6 +37,7 @@ final class MqttFileConnection extends Connection {
     private final List<Consumer<MqttExecute>> duties = new ArrayList<>();
     private final Map<String, Message> messages = new LinkedHashMap<>();
     private final Map<String, Meanings> states = new LinkedHashMap<>();
+    private boolean sends;
     private volatile @Nullable BrokerConnection opened;
 
     private MqttFileConnection(
@@ -67,7 +68,8 @@ final class MqttFileConnection extends Connection {
             String online = availability.text("online").map(Node.Text::value).orElse("online");
             availability.done();
             if (topic != null) {
-                connection.settings.add(device -> device.availability(topic, Match.exactly(online).in(part)));
+                connection.settings.add(device ->
+                        device.availability(topic, Match.exactly(online).in(part)));
             }
         });
         return connection;
@@ -87,8 +89,10 @@ final class MqttFileConnection extends Connection {
         }
     }
 
+    /** A topic; null if there is none. One that is refused is returned all the same, so that nothing else is missing. */
     private static @Nullable String topic(Section section, String key) {
-        return section.value(key, MqttFileConnection::exactTopic).orElse(null);
+        section.value(key, MqttFileConnection::exactTopic);
+        return section.text(key).map(Node.Text::value).orElse(null);
     }
 
     private static String exactTopic(String text) {
@@ -105,6 +109,7 @@ final class MqttFileConnection extends Connection {
 
     @Override
     public void send(Node.Text event, Section how) {
+        sends = true;
         message(how).ifPresent(message -> messages.put(event.value(), message));
     }
 
@@ -180,7 +185,7 @@ final class MqttFileConnection extends Connection {
 
     @Override
     public void device(Section device) {
-        if (messages.isEmpty()) {
+        if (!sends) {
             return;
         }
         device.section("confirmed").ifPresent(confirmed -> {

@@ -3,18 +3,11 @@ package org.evoloop.device;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.InputStream;
-import java.io.InterruptedIOException;
-import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -74,60 +67,20 @@ class DeviceProgramTest {
               hot: {reading: temperature, above: 50}
             """;
 
-    private final InputStream in = System.in;
-    private final PrintStream out = System.out;
-    private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
-    private final BlockingQueue<Byte> typed = new LinkedBlockingQueue<>();
+    private final TypedConsole console = new TypedConsole();
 
     @TempDir
     private Path folder;
 
     @BeforeEach
     void redirect() throws IOException {
-        System.setIn(new Typed());
-        System.setOut(new PrintStream(printed, true, StandardCharsets.UTF_8));
+        console.redirect();
         Files.writeString(folder.resolve("lamp.md"), MODELS);
     }
 
     @AfterEach
     void restore() {
-        System.setIn(in);
-        System.setOut(out);
-    }
-
-    private void type(String line) {
-        for (byte each : (line + "\n").getBytes(StandardCharsets.UTF_8)) {
-            typed.add(each);
-        }
-    }
-
-    /** What is typed, whichever threads read it. */
-    private final class Typed extends InputStream {
-        @Override
-        public int read() throws IOException {
-            try {
-                return typed.take();
-            } catch (InterruptedException end) {
-                throw new InterruptedIOException();
-            }
-        }
-
-        @Override
-        public int read(byte[] bytes, int from, int most) throws IOException {
-            bytes[from] = (byte) read();
-            return 1;
-        }
-    }
-
-    private String printed() {
-        return printed.toString(StandardCharsets.UTF_8);
-    }
-
-    private void awaitHistory(String line) {
-        await().until(() -> {
-            type("history 9");
-            return printed().contains(line);
-        });
+        console.restore();
     }
 
     private CompletableFuture<Integer> run(String address, String... options) throws IOException {
@@ -150,13 +103,13 @@ class DeviceProgramTest {
             lamp.tell("T 60");
             lamp.tell("button warm");
             await().until(() -> lamp.heard().stream().filter("PWR"::equals).count() == 2);
-            awaitHistory("warm (controller)  (Off, Off) -> (On, On)");
-            assertThat(printed())
+            console.awaitHistory("warm (controller)  (Off, Off) -> (On, On)");
+            assertThat(console.printed())
                     .contains("timed (controller)  (Off, Off) -> (On, Timed)")
                     .contains("burnt");
-            type("status");
-            await().until(() -> printed().contains("temperature 60"));
-            type("exit");
+            console.type("status");
+            await().until(() -> console.printed().contains("temperature 60"));
+            console.type("exit");
             assertThat(status.get(30, TimeUnit.SECONDS)).isZero();
         }
     }
@@ -164,14 +117,14 @@ class DeviceProgramTest {
     @Test
     void aPlayedDeviceNeedsNoConnection() throws Exception {
         CompletableFuture<Integer> status = run("tcp://127.0.0.1:1", "--simulate", "--start");
-        type("press timed");
-        awaitHistory("timed (controller)  (Off, Off) -> (On, Timed)");
-        await().until(() -> printed().contains("to lamp: LED ON"));
-        type("device burnt");
-        awaitHistory("(On, Timed) -> (Off, Off)");
-        type("press warm");
-        awaitHistory("warm (controller)");
-        type("exit");
+        console.type("press timed");
+        console.awaitHistory("timed (controller)  (Off, Off) -> (On, Timed)");
+        await().until(() -> console.printed().contains("to lamp: LED ON"));
+        console.type("device burnt");
+        console.awaitHistory("(On, Timed) -> (Off, Off)");
+        console.type("press warm");
+        console.awaitHistory("warm (controller)");
+        console.type("exit");
         assertThat(status.get(30, TimeUnit.SECONDS)).isZero();
     }
 }

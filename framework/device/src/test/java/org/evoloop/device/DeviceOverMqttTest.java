@@ -1,0 +1,142 @@
+package org.evoloop.device;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.evoloop.device.file.DeviceFileException;
+import org.evoloop.mqtt.Mosquitto;
+import org.evoloop.mqtt.Watcher;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A heater behind a real broker, whose device file has 14 lines. */
+@EnabledOnOs(OS.LINUX)
+@Timeout(60)
+class DeviceOverMqttTest {
+    private static final String MODELS = """
+            ## original
+
+            ```mermaid
+            stateDiagram-v2
+                [*] --> Off
+                Off --> Warm : power
+                Warm --> Off : power
+                Warm --> Hot : level
+                Hot --> Warm : level
+                Hot --> Off : power
+            ```
+
+            ## new
+
+            ```mermaid
+            stateDiagram-v2
+                [*] --> Off
+                Off --> Warm : power
+                Warm --> Off : power
+                Warm --> Hot : level
+                Hot --> Warm : level
+                Hot --> Off : power
+                Off --> Quick : quick
+                Warm --> Quick : quick
+                Quick : «device Hot»
+                Quick --> Warm : quick
+                Quick --> Off : power
+            ```
+            """;
+
+    private static final String HEATER = """
+            converter: heater
+            models: {original: heater.md#original, new: heater.md#new}
+            connections:
+              broker: {mqtt: "BROKER", command-topic: heater/set, state-topic: heater}
+            device:
+              send: {power: '{"press":"power"}', level: {payload: '{"press":"level"}'}}
+              state: {json: /mode, values: {off: "Off", warm: Warm, hot: Hot}}
+              confirmed: {within: 1 s}
+              ask: {topic: heater/get, payload: "", within: 20 s}
+              readings: {temperature: {topic: heater, json: /celsius, unit: °C}}
+            controller:
+              press: {topic: remote, json: /action, values: {single: power, hold: quick}}
+            """;
+
+    private final TypedConsole console = new TypedConsole();
+
+    @TempDir
+    private Path folder;
+
+    @BeforeEach
+    void redirect() throws IOException {
+        console.redirect();
+        Files.writeString(folder.resolve("heater.md"), MODELS);
+    }
+
+    @AfterEach
+    void restore() {
+        console.restore();
+    }
+
+    @Test
+    void stepsAreConfirmedByTheStateAndAreAskedForIfTheyAreNot() throws Exception {
+        try (Mosquitto broker = new Mosquitto(folder).start();
+                Watcher watcher = new Watcher(broker)) {
+            watcher.publish("heater", "{\"mode\":\"warm\",\"celsius\":40}", true);
+            Path file = Files.writeString(folder.resolve("heater.yaml"), HEATER.replace("BROKER", broker.url()));
+            CompletableFuture<Integer> status =
+                    CompletableFuture.supplyAsync(() -> DeviceProgram.run(file, List.of("--start")));
+            console.awaitHistory("-> (Warm, Warm)");
+
+            watcher.publish("remote", "{\"action\":\"hold\"}", false);
+            watcher.awaitHeard("heater/set", "level");
+            watcher.publish("heater", "{\"mode\":\"hot\",\"celsius\":90}", true);
+            console.awaitHistory("quick (controller)  (Warm, Warm) -> (Hot, Quick)");
+
+            // The command is lost; the answer to the question says so.
+            watcher.publish("remote", "{\"action\":\"single\"}", false);
+            watcher.awaitHeard("heater/get", "");
+            watcher.publish("heater", "{\"mode\":\"hot\",\"celsius\":91}", true);
+            console.awaitHistory("power (controller)");
+            assertThat(watcher.heard().stream().filter(line -> line.contains("\"press\":\"power\"")))
+                    .hasSize(1);
+            console.type("status");
+            await().until(() -> console.printed().contains("temperature 91"));
+            console.type("exit");
+            assertThat(status.get(30, TimeUnit.SECONDS)).isZero();
+        }
+    }
+
+    @Test
+    void whatAConnectionCannotBeAskedIsAMistakeInItsLine() throws IOException {
+        String wrong = HEATER.replace("BROKER", "http://x")
+                .replace("heater/set", "heater/#")
+                .replace("json: /mode", "json: mode")
+                .replace("json: /action, values: {single: power, hold: quick}", "pattern: '['");
+        Path file = Files.writeString(folder.resolve("heater.yaml"), wrong);
+        DeviceFileException refused = null;
+        try {
+            DeviceFile.read(file, List.of());
+        } catch (DeviceFileException problem) {
+            refused = problem;
+        }
+        assertThat(refused).isNotNull();
+        assertThat(String.valueOf(refused == null ? "" : refused.getMessage())
+                        .replace(folder + "/", "")
+                        .lines())
+                .anySatisfy(line -> assertThat(line).startsWith("heater.yaml:4: mqtt: "))
+                .anySatisfy(line -> assertThat(line).startsWith("heater.yaml:4: command-topic: 'heater/#' is no topic"))
+                .anySatisfy(line -> assertThat(line).startsWith("heater.yaml:7: json: "))
+                .anySatisfy(
+                        line -> assertThat(line).startsWith("heater.yaml:12: pattern: '[' is no regular expression"))
+                .anySatisfy(line -> assertThat(line).startsWith("heater.yaml:12: controller.press needs event"));
+    }
+}
