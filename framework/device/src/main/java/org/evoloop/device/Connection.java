@@ -1,8 +1,8 @@
 package org.evoloop.device;
 
+import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
-import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -84,12 +84,12 @@ public abstract class Connection {
         return !assembled;
     }
 
-    /** Makes the components; nothing is opened before {@link Parts#open}. */
-    public final Parts assemble(Clock clock) {
+    /** Makes the components for this converter; nothing is opened before {@link Parts#open}. */
+    public final Parts assemble(SystemEventConverter converter) {
         assembled = true;
-        return make(clock);
+        return make(converter);
     }
 
     /** As {@link #assemble}. */
-    protected abstract Parts make(Clock clock);
+    protected abstract Parts make(SystemEventConverter converter);
 }

@@ -119,7 +119,7 @@ public final class DeviceProgram {
     private void connect(ProgramSetup setup) {
         List<DeviceLink> links = new ArrayList<>();
         for (Connection connection : file.connections()) {
-            Parts parts = connection.assemble(setup.clock());
+            Parts parts = connection.assemble(setup.converter());
             parts.monitors().forEach(setup.converter()::addMonitor);
             parts.executes().forEach(setup.converter()::addExecute);
             if (parts.link() != null) {

@@ -10,13 +10,13 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.regex.Pattern;
+import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
 import org.evoloop.line.LineConnection;
 import org.evoloop.line.LineExecute;
 import org.evoloop.line.LineMonitor;
 import org.evoloop.line.LineTransport;
-import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /** A connection that exchanges lines of text, made of a {@link LineMonitor} and a {@link LineExecute}. */
@@ -187,11 +187,11 @@ final class LineFileConnection extends Connection {
     }
 
     @Override
-    protected Parts make(Clock clock) {
+    protected Parts make(SystemEventConverter converter) {
         if (transport == null) {
             throw new IllegalStateException("the address of " + name() + " was refused");
         }
-        LineConnection connection = new LineConnection(transport, clock);
+        LineConnection connection = new LineConnection(transport, converter.clock());
         settings.forEach(each -> each.accept(connection));
         opened = connection;
         LineMonitor monitor = new LineMonitor(name(), connection);

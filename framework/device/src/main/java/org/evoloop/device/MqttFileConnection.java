@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
 import org.evoloop.mqtt.BrokerAddress;
@@ -23,7 +24,6 @@ import org.evoloop.payload.Match;
 import org.evoloop.payload.Meanings;
 import org.evoloop.payload.Part;
 import org.evoloop.payload.Template;
-import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /** A device or a controller behind an MQTT broker, made of a {@link MqttMonitor} and a {@link MqttExecute}. */
@@ -227,14 +227,14 @@ final class MqttFileConnection extends Connection {
     }
 
     @Override
-    protected Parts make(Clock clock) {
+    protected Parts make(SystemEventConverter converter) {
         if (address == null) {
             throw new IllegalStateException("the address of " + name() + " was refused");
         }
         BrokerConnection connection = new BrokerConnection(
                 address, "evoloop-" + name() + "-" + ProcessHandle.current().pid());
         opened = connection;
-        MqttDevice device = new MqttDevice(connection, clock);
+        MqttDevice device = new MqttDevice(connection, converter.clock());
         settings.forEach(each -> each.accept(device));
         MqttMonitor monitor = new MqttMonitor(name(), connection);
         rules.forEach(each -> each.accept(monitor));

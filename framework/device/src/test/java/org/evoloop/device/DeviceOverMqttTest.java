@@ -1,7 +1,6 @@
 package org.evoloop.device;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.awaitility.Awaitility.await;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -108,8 +107,7 @@ class DeviceOverMqttTest {
             console.awaitHistory("power (controller)");
             assertThat(watcher.heard().stream().filter(line -> line.contains("\"press\":\"power\"")))
                     .hasSize(1);
-            console.type("status");
-            await().until(() -> console.printed().contains("temperature 91"));
+            console.awaitStatus("temperature 91");
             console.type("exit");
             assertThat(status.get(30, TimeUnit.SECONDS)).isZero();
         }

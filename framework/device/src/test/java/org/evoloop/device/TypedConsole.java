@@ -46,6 +46,14 @@ final class TypedConsole {
         });
     }
 
+    /** Waits until the status has this. */
+    void awaitStatus(String part) {
+        await("status with " + part).until(() -> {
+            type("status");
+            return printed().contains(part);
+        });
+    }
+
     /** What is typed, whichever threads read it. */
     private final class Typed extends InputStream {
         @Override

@@ -1,0 +1,19 @@
+package org.evoloop.device;
+
+import org.evoloop.device.file.Section;
+
+/** {@code http: http://HOST}: a device that answers HTTP requests. */
+public final class HttpKind implements ConnectionKind {
+    /** For {@link java.util.ServiceLoader}. */
+    public HttpKind() {}
+
+    @Override
+    public String key() {
+        return "http";
+    }
+
+    @Override
+    public Connection read(String name, Section section, FileModels models) {
+        return HttpFileConnection.read(name, section, models);
+    }
+}
