@@ -124,7 +124,7 @@ public record Scenario(String name, List<Step> steps) {
     /**
      * Runs it.
      *
-     * @return why it fails, with the line; empty if it passes
+     * @return the line in which it fails, and why: {@code 12: sent is [], expected is [power]}; empty if it passes
      */
     public String run(DeviceFile file) {
         SimulatedDevice device = file.simulated();
@@ -135,7 +135,7 @@ public record Scenario(String name, List<Step> steps) {
                 try {
                     step.action().perform(running);
                 } catch (AssertionError | IllegalStateException | IllegalArgumentException failed) {
-                    return "line " + step.line() + ": " + failed.getMessage();
+                    return step.line() + ": " + failed.getMessage();
                 }
             }
             return "";

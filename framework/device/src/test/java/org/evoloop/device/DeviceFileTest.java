@@ -110,7 +110,7 @@ class DeviceFileTest {
     void aScenarioThatFailsSaysWhereAndWhy() throws IOException {
         DeviceFile fan =
                 read(FAN.replace("sent: [speed, speed], device-state: Low", "sent: [speed], device-state: High"));
-        assertThat(fan.scenarios().get(0).run(fan)).isEqualTo("line 21: sent is [speed, speed], expected is [speed]");
+        assertThat(fan.scenarios().get(0).run(fan)).isEqualTo("21: sent is [speed, speed], expected is [speed]");
     }
 
     @Test

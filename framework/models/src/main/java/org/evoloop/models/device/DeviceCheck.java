@@ -24,10 +24,12 @@ final class DeviceCheck {
      */
     static int run(Path path, PrintStream out, ToIntFunction<List<String>> models) {
         DeviceFile file = DeviceFile.read(path, DeviceProgram.options());
-        boolean good = canBeBuilt(file, out);
+        if (!canBeBuilt(file, out)) {
+            return 1;
+        }
         List<String> check = new ArrayList<>(List.of("check"));
         check.addAll(file.references());
-        good &= check.size() == 1 || models.applyAsInt(check) == 0;
+        boolean good = check.size() == 1 || models.applyAsInt(check) == 0;
         for (Scenario scenario : file.scenarios()) {
             String failure = scenario.run(file);
             out.println((failure.isEmpty() ? "passed: " : "FAILED: ") + scenario.name());

@@ -8,7 +8,9 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -30,21 +32,26 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class NewCommand implements Callable<Integer> {
-    private static final Map<String, String> ADDRESSES = Map.of("lines", "tcp://127.0.0.1:4001");
+    /** The kinds of connections, each with its usual address. */
+    private static final Map<String, String> ADDRESSES = new TreeMap<>(
+            Map.of("lines", "tcp://127.0.0.1:4001", "mqtt", "mqtt://localhost", "http", "http://localhost:8080"));
 
     @Spec
     private CommandSpec spec;
 
-    @Parameters(paramLabel = "NAME", description = "The device's name, which is also the folder's.")
-    private String name;
+    @Parameters(paramLabel = "NAME", description = "The folder, whose name is also the device's.")
+    private Path folder;
 
     @Option(
             names = "--connection",
             paramLabel = "KIND",
-            description = "How the device is connected: lines, text over TCP (default).")
+            description = "How the device is connected: lines, which is text over TCP (default), mqtt or http.")
     private @Nullable String connection;
 
-    @Option(names = "--address", paramLabel = "ADDRESS", description = "Where: for lines, tcp://HOST:PORT.")
+    @Option(
+            names = "--address",
+            paramLabel = "ADDRESS",
+            description = "Where: tcp://HOST:PORT, mqtt://HOST or http://HOST.")
     private @Nullable String address;
 
     @Option(
@@ -56,6 +63,7 @@ final class NewCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
+        String name = String.valueOf(folder.getFileName());
         require(
                 name.matches("[A-Za-z0-9][A-Za-z0-9._-]*"),
                 "'" + name + "' is no name for a folder; use letters, digits and -");
@@ -76,13 +84,12 @@ final class NewCommand implements Callable<Integer> {
                     event.matches("[A-Za-z_][A-Za-z0-9_]*"),
                     "'" + event + "' is no name of an event; use letters and digits");
         }
-        Path folder = Path.of(name);
         if (Files.exists(folder)) {
             throw new FileAlreadyExistsException(folder + " exists already; give another name");
         }
         Files.createDirectory(folder);
-        Files.writeString(folder.resolve(name + ".yaml"), file(kind, at, taken));
-        Files.writeString(folder.resolve("README.md"), drawings(taken));
+        Files.writeString(folder.resolve(name + ".yaml"), file(name, kind, at, taken));
+        Files.writeString(folder.resolve("README.md"), drawings(name, taken));
         spec.commandLine()
                 .getOut()
                 .println("wrote " + folder.resolve(name + ".yaml") + " and " + folder.resolve("README.md"));
@@ -110,7 +117,7 @@ final class NewCommand implements Callable<Integer> {
         return line == null || line.isBlank() ? usual : line.strip();
     }
 
-    private String file(String kind, String at, List<String> taken) {
+    private static String file(String name, String kind, String at, List<String> taken) {
         String first = taken.get(0);
         return """
                 # What %1$s is, and how it is connected. evoloop check %1$s.yaml checks it without the device.
@@ -118,35 +125,57 @@ final class NewCommand implements Callable<Integer> {
                 models: {original: README.md#original, new: README.md#new}
 
                 connections:
-                  device: {%2$s: "%3$s"}
+                %2$s
 
                 device:
                   send:                    # what is sent for each event
-                %4$s
+                %3$s
 
                 controller:
-                  press:                   # what a control of the controller sends here
-                %5$s
-                    button timed: timed
+                  press:                   # what tells that a control was operated
+                %4$s
 
                 scenarios:
                   after ten minutes it is switched off:
-                    - {press: timed, sent: [%6$s], state: Timed}
-                    - {after: 10 min, sent: [%6$s], state: "Off"}
-                """.formatted(
-                        name,
-                        kind,
-                        at,
-                        indented(taken.stream().map(event -> event + ": " + event.toUpperCase(java.util.Locale.ROOT))),
-                        indented(taken.stream().map(event -> "button " + event + ": " + event)),
-                        first);
+                    - {press: timed, sent: [%5$s], state: Timed}
+                    - {after: 10 min, sent: [%5$s], state: "Off"}
+                """.formatted(name, connections(name, kind, at), sent(kind, taken), pressed(name, kind, taken), first);
+    }
+
+    private static String connections(String name, String kind, String at) {
+        return switch (kind) {
+            case "mqtt" -> "  device: {mqtt: \"" + at + "\", command-topic: " + name + "/set}";
+            case "http" -> "  device: {http: \"" + at + "\"}\n  buttons: {webhooks: 8090}";
+            default -> "  device: {lines: \"" + at + "\"}";
+        };
+    }
+
+    private static String sent(String kind, List<String> taken) {
+        return indented(taken.stream()
+                .map(event -> event + ": "
+                        + (kind.equals("http")
+                                ? "{to: device, call: POST /" + event + "}"
+                                : event.toUpperCase(Locale.ROOT))));
+    }
+
+    private static String pressed(String name, String kind, List<String> taken) {
+        Stream<String> all = Stream.concat(taken.stream(), Stream.of("timed"));
+        return switch (kind) {
+            case "mqtt" ->
+                indented(Stream.of("topic: " + name + "/button", "values:")) + "\n"
+                        + indented(all.map(event -> "  " + event + ": " + event));
+            case "http" ->
+                indented(Stream.of("from: buttons", "values:")) + "\n"
+                        + indented(all.map(event -> "  POST /" + event + ": " + event));
+            default -> indented(all.map(event -> "button " + event + ": " + event));
+        };
     }
 
     private static String indented(Stream<String> lines) {
         return lines.map(line -> "    " + line).collect(Collectors.joining("\n"));
     }
 
-    private String drawings(List<String> taken) {
+    private static String drawings(String name, List<String> taken) {
         String first = taken.get(0);
         String loops = taken.stream()
                 .skip(1)

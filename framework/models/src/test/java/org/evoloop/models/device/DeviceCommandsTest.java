@@ -1,0 +1,132 @@
+package org.evoloop.models.device;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The commands for device files, with their exit statuses. */
+class DeviceCommandsTest {
+    private final PrintStream out = System.out;
+    private final PrintStream err = System.err;
+    private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
+    private final ByteArrayOutputStream errors = new ByteArrayOutputStream();
+    private final List<List<String>> models = new ArrayList<>();
+
+    @TempDir
+    private Path folder;
+
+    @BeforeEach
+    void redirect() {
+        System.setOut(new PrintStream(printed, true, StandardCharsets.UTF_8));
+        System.setErr(new PrintStream(errors, true, StandardCharsets.UTF_8));
+    }
+
+    @AfterEach
+    void restore() {
+        System.setOut(out);
+        System.setErr(err);
+    }
+
+    private int run(String... arguments) {
+        return DeviceCommands.run(List.of(arguments), command -> {
+            models.add(command);
+            return 0;
+        });
+    }
+
+    private String printed() {
+        return printed.toString(StandardCharsets.UTF_8);
+    }
+
+    private String errors() {
+        return errors.toString(StandardCharsets.UTF_8);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"lines", "mqtt", "http"})
+    void whatNewWritesPassesItsCheck(String connection) throws IOException {
+        Path heater = folder.resolve("heater");
+        assertThat(run("new", heater.toString(), "--connection=" + connection, "--events=power,mode"))
+                .as(errors())
+                .isZero();
+        assertThat(printed()).contains("wrote " + heater.resolve("heater.yaml"));
+        assertThat(run("check", heater.resolve("heater.yaml").toString()))
+                .as(errors())
+                .isZero();
+        assertThat(printed()).contains("passed: after ten minutes it is switched off");
+        assertThat(models).containsExactly(List.of("check", heater + "/README.md#original", heater + "/README.md#new"));
+        assertThat(run("new", heater.toString())).isEqualTo(2);
+        assertThat(errors()).contains("exists already; give another name");
+    }
+
+    @Test
+    void aScenarioThatFailsIsAFailedCheckWithItsLine() throws IOException {
+        Path heater = folder.resolve("heater");
+        run("new", heater.toString());
+        Path file = heater.resolve("heater.yaml");
+        Files.writeString(file, Files.readString(file).replace("after: 10 min", "after: 9 min"));
+        assertThat(run("check", file.toString())).isEqualTo(1);
+        assertThat(printed())
+                .contains("FAILED: after ten minutes it is switched off")
+                .containsPattern("at: +" + file + ":[0-9]+: sent is \\[\\], expected is \\[power\\]");
+    }
+
+    @Test
+    void whatCannotBeBuiltIsAFailedCheck() throws IOException {
+        Path heater = folder.resolve("heater");
+        run("new", heater.toString());
+        Path readme = heater.resolve("README.md");
+        Files.writeString(
+                readme,
+                Files.readString(readme).replace("    Timed --> Off : power\n", "    Timed --> Off : power [hot]\n"));
+        assertThat(run("check", heater.resolve("heater.yaml").toString())).isEqualTo(1);
+        assertThat(printed()).contains("guard [hot] of the new model is not bound");
+    }
+
+    @Test
+    void everyMistakeInAFileIsALine() throws IOException {
+        Path file = Files.writeString(folder.resolve("x.yaml"), "convertr: x\nconnections: {a: {lnes: b}}\n");
+        assertThat(run("check", file.toString())).isEqualTo(2);
+        assertThat(errors().lines())
+                .allMatch(line -> line.startsWith("error: " + file + ":"))
+                .hasSize(3);
+        assertThat(run("run", file.toString())).isEqualTo(2);
+        assertThat(run("run", folder.resolve("no.yaml").toString())).isEqualTo(2);
+        assertThat(errors()).contains("no.yaml: does not exist; correct the path");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "run", "check", "check --x", "check a b", "nonsense"})
+    void wrongUsageIsAnsweredByTheUsage(String line) {
+        assertThat(run(line.isEmpty() ? new String[0] : line.split(" "))).isEqualTo(2);
+        assertThat(errors()).startsWith("usage: evoloop run FILE.yaml");
+    }
+
+    @Test
+    void helpIsPrinted() {
+        assertThat(run("check", "--help")).isZero();
+        assertThat(run("run", "--help")).isZero();
+        assertThat(printed()).contains("usage: evoloop run FILE.yaml").contains("--simulate");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"--connection=foo", "--events=a-b", "--events="})
+    void whatNewCannotUseIsRefusedAndNothingIsWritten(String option) {
+        Path heater = folder.resolve("heater");
+        assertThat(run("new", heater.toString(), option)).isEqualTo(2);
+        assertThat(heater).doesNotExist();
+    }
+}
