@@ -16,8 +16,7 @@ record ProgramTransport(List<String> command) implements LineTransport {
     }
 
     /** @param atExit ends the program if this one ends without closing the wire */
-    private record ProgramWire(Process process, InputStream input, OutputStream output, Thread atExit)
-            implements Wire {
+    private record ProgramWire(Process process, InputStream input, OutputStream output, Thread atExit) implements Wire {
         static ProgramWire of(Process process, String name) {
             InputStream input = new FilterInputStream(process.getInputStream()) {
                 @Override

@@ -78,7 +78,8 @@ final class Programs {
     }
 
     private static List<ProcessHandle> all(Process process) {
-        return Stream.concat(process.descendants(), Stream.of(process.toHandle())).toList();
+        return Stream.concat(process.descendants(), Stream.of(process.toHandle()))
+                .toList();
     }
 
     /** For messages: a program and its arguments. */

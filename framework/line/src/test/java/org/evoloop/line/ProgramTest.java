@@ -100,8 +100,7 @@ class ProgramTest {
     void aProgramThatDiesInTheMiddleOfAQuestionLeavesADoubt() throws Exception {
         try (LineConnection connection = connection(shell("read line; exit 1"))) {
             await().atMost(PATIENCE).until(connection::isUp);
-            assertThatThrownBy(() -> connection.ask(
-                            "toggle", Pattern.compile("ok"), Duration.ofHours(1), line -> {}))
+            assertThatThrownBy(() -> connection.ask("toggle", Pattern.compile("ok"), Duration.ofHours(1), line -> {}))
                     .isInstanceOf(UnknownEffectException.class)
                     .hasMessageContaining("has ended with status 1");
         }
@@ -164,7 +163,8 @@ class ProgramTest {
                         while (heard.hasRemaining()) {
                             client.read(heard);
                         }
-                        assertThat(new String(heard.array(), StandardCharsets.UTF_8)).isEqualTo("ping\n");
+                        assertThat(new String(heard.array(), StandardCharsets.UTF_8))
+                                .isEqualTo("ping\n");
                         client.write(ByteBuffer.wrap("pong\nhal".getBytes(StandardCharsets.UTF_8)));
                         assertThat(next()).isEqualTo("pong");
                     }
@@ -203,7 +203,9 @@ class ProgramTest {
             converter.addMonitor(wall);
             converter.addExecute(new RunExecute(
                     "Lamp",
-                    Map.of("switch", command(Duration.ofSeconds(5), "sh", "-c", "echo $$ > '" + started + "'; sleep 1000"))));
+                    Map.of(
+                            "switch",
+                            command(Duration.ofSeconds(5), "sh", "-c", "echo $$ > '" + started + "'; sleep 1000"))));
             converter.addKnowledge(LightBulb.withoutTimeout());
             converter.build();
             converter.start();
