@@ -1,23 +1,35 @@
 package org.evoloop.gpio;
 
+import java.time.Duration;
+import java.util.Optional;
+import java.util.function.Consumer;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Debounces a contact: reports only states that last.
  *
- * <p>Threading: thread-safe; {@code whenClosed} is called on the clock's thread.
+ * <p>Threading: thread-safe; {@code news} is called on the clock's thread.
  */
 final class Contact {
     private final Clock clock;
-    private final Runnable whenClosed;
+    private final Duration lasting;
+    private final Consumer<Boolean> news;
     private boolean now;
     private boolean settled;
     private Clock.@Nullable Timer timer;
 
-    Contact(Clock clock, boolean closed, Runnable whenClosed) {
+    /**
+     * A contact.
+     *
+     * @param lasting how long a state must last to count
+     * @param closed its state now, which is no news
+     * @param news receives whether it is closed, when that has changed
+     */
+    Contact(Clock clock, Duration lasting, boolean closed, Consumer<Boolean> news) {
         this.clock = clock;
-        this.whenClosed = whenClosed;
+        this.lasting = lasting;
+        this.news = news;
         this.now = closed;
         this.settled = closed;
     }
@@ -27,18 +39,17 @@ final class Contact {
         if (timer != null) {
             timer.cancel();
         }
-        timer = clock.schedule(GpioMonitor.SETTLED, this::settle);
+        timer = clock.schedule(lasting, this::settle);
     }
 
     private void settle() {
-        if (hasClosed()) {
-            whenClosed.run();
-        }
+        // Outside of the lock: what is told may wait.
+        change().ifPresent(news);
     }
 
-    private synchronized boolean hasClosed() {
-        boolean news = now && !settled;
+    private synchronized Optional<Boolean> change() {
+        boolean same = now == settled;
         settled = now;
-        return news;
+        return same ? Optional.empty() : Optional.of(now);
     }
 }

@@ -1,8 +1,7 @@
 package org.evoloop.gpio;
 
-import static java.util.stream.Collectors.toUnmodifiableMap;
-
 import java.time.Duration;
+import java.util.HashMap;
 import java.util.Map;
 import java.util.Set;
 import org.evoloop.converter.EventExecute;
@@ -15,10 +14,15 @@ import org.evoloop.time.Clock;
  *
  * <pre>{@code
  * new GpioExecute("Coffee", pins, clock, Map.of("power", 23, "brew", 24), Duration.ofMillis(200))
+ *         .hold("heat", 25, true)
+ *         .hold("cool", 25, false)
  * }</pre>
  *
- * <p>A step has been executed when the pin has been high for the duration of a press and then low for as long, so that
- * two presses do not merge into one. Afterwards the pin is low, even after a failure.
+ * <p>A press has been executed when the pin has been high for its duration and then low for as long, so that two presses
+ * do not merge into one. Afterwards the pin is low, even after a failure. A pin that is held stays as it is until another
+ * event changes it.
+ *
+ * <p>Lifecycle: add all events before the converter is built.
  *
  * <p>Threading: as {@link EventExecute}.
  *
@@ -26,8 +30,21 @@ import org.evoloop.time.Clock;
  */
 public class GpioExecute extends EventExecute {
     private final Clock clock;
-    private final Map<String, OutputPin> outputs;
-    private final Duration press;
+    private final Pins pins;
+    private final Map<Integer, OutputPin> outputs = new HashMap<>();
+    private final Map<String, Signal> signals = new HashMap<>();
+
+    /** How a pin sends an event. */
+    private interface Signal {
+        void send() throws InterruptedException;
+    }
+
+    /** A component that sends no event yet; see {@link #pulse} and {@link #hold}. */
+    public GpioExecute(String name, Pins pins, Clock clock) {
+        super(name);
+        this.pins = pins;
+        this.clock = clock;
+    }
 
     /**
      * A component that sends these events.
@@ -38,30 +55,56 @@ public class GpioExecute extends EventExecute {
      * @throws IllegalArgumentException if a pin cannot be used
      */
     public GpioExecute(String name, Pins pins, Clock clock, Map<String, Integer> outputs, Duration press) {
-        super(name);
-        this.clock = clock;
-        this.outputs = outputs.entrySet().stream()
-                .collect(toUnmodifiableMap(Map.Entry::getKey, entry -> new OutputPin(pins, entry.getValue())));
-        this.press = Clock.requireDelay(press);
+        this(name, pins, clock);
+        outputs.forEach((event, pin) -> pulse(event, pin, press));
+    }
+
+    /**
+     * Adds an event that is a press.
+     *
+     * @throws IllegalArgumentException if the pin cannot be used
+     */
+    public final GpioExecute pulse(String event, int pin, Duration press) {
+        Clock.requireDelay(press);
+        OutputPin output = output(pin);
+        signals.put(event, () -> {
+            output.set(true);
+            try {
+                clock.sleep(press);
+            } finally {
+                output.set(false);
+            }
+            clock.sleep(press);
+        });
+        return this;
+    }
+
+    /**
+     * Adds an event that sets a pin high or low, and leaves it so; another event may do the opposite.
+     *
+     * @throws IllegalArgumentException if the pin cannot be used
+     */
+    public final GpioExecute hold(String event, int pin, boolean high) {
+        OutputPin output = output(pin);
+        signals.put(event, () -> output.set(high));
+        return this;
+    }
+
+    private OutputPin output(int pin) {
+        return outputs.computeIfAbsent(pin, number -> new OutputPin(pins, number));
     }
 
     @Override
     protected final Set<String> sendableEvents() {
-        return outputs.keySet();
+        return Set.copyOf(signals.keySet());
     }
 
     @Override
     protected void send(Step step) throws InterruptedException {
-        OutputPin output = outputs.get(step.event().name());
-        if (output == null) {
+        Signal signal = signals.get(step.event().name());
+        if (signal == null) {
             throw new IllegalArgumentException(name() + " has no pin for " + step.event());
         }
-        output.set(true);
-        try {
-            clock.sleep(press);
-        } finally {
-            output.set(false);
-        }
-        clock.sleep(press);
+        signal.send();
     }
 }

@@ -20,8 +20,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.evoloop.LightBulb;
+import org.evoloop.Machines;
+import org.evoloop.converter.PushMonitor;
+import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.evolution.ModelPair;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -86,6 +91,64 @@ class GpioPartsTest {
         }
     }
 
+    @Test
+    void aPinIsHeldAndAnotherShowsTheState() {
+        try (SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock))) {
+            Duration slow = Duration.ofMillis(100);
+            PushMonitor wall = new PushMonitor("Wall");
+            GpioMonitor monitor = new GpioMonitor("Sensor", pins, clock).debounce(slow).found(17, "on", "off");
+            contact(17, false);
+            clock.advance(slow);
+            GpioExecute execute = new GpioExecute("Lamp", pins, clock).hold("heat", 23, true).hold("cool", 23, false);
+            DigitalOutput relay = mock.getIO("output-23");
+            converter.addMonitor(monitor);
+            converter.addMonitor(wall);
+            converter.addExecute(execute);
+            StateMachine heater = Machines.machine("heater", "off heat -> on", "on cool -> off");
+            converter.addKnowledge(new StateKnowledge(new ModelPair(heater, heater)) {
+                @Override
+                protected void registerNewFunctions() {}
+            });
+            converter.build();
+            converter.start();
+            wall.press("heat");
+            awaitState(converter, "on");
+            assertThat(relay.isHigh()).isTrue();
+            clock.advance(PRESS);
+            assertThat(relay.isHigh()).isTrue();
+            wall.press("cool");
+            awaitState(converter, "off");
+            assertThat(relay.isHigh()).isFalse();
+
+            contact(17, true);
+            clock.advance(slow.minusMillis(1));
+            assertThat(converter.status().states().original().name()).isEqualTo("off");
+            clock.advance(Duration.ofMillis(1));
+            awaitState(converter, "on");
+            contact(17, false);
+            clock.advance(slow);
+            awaitState(converter, "off");
+        }
+    }
+
+    @Test
+    void aSensedStateIsKnownFromTheBeginning() {
+        try (SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock))) {
+            GpioMonitor monitor = new GpioMonitor("Sensor", pins, clock).found(17, "on", "on");
+            converter.addMonitor(monitor);
+            converter.addExecute(new GpioExecute("Lamp", pins, clock).hold("switch", 23, true));
+            converter.addKnowledge(LightBulb.withoutTimeout());
+            converter.build();
+            converter.start();
+            awaitState(converter, "on");
+        }
+    }
+
+    private static void awaitState(SystemEventConverter converter, String state) {
+        await().atMost(PATIENCE)
+                .until(() -> converter.status().states().original().name().equals(state));
+    }
+
     private void contactsOpen(GpioMonitor monitor) {
         monitor.controller(17, "switch").device(27, "switch");
         contact(17, false);
@@ -108,7 +171,7 @@ class GpioPartsTest {
     @Test
     void whatIsTooShortForAContactIsNone() {
         List<Boolean> closed = new CopyOnWriteArrayList<>();
-        Contact contact = new Contact(clock, false, () -> closed.add(true));
+        Contact contact = new Contact(clock, GpioMonitor.SETTLED, false, closed::add);
         contact.changed(true);
         clock.advance(GpioMonitor.SETTLED.minusMillis(1));
         contact.changed(false);
@@ -119,7 +182,10 @@ class GpioPartsTest {
         contact.changed(false);
         contact.changed(true);
         clock.advance(PRESS);
-        assertThat(closed).hasSize(1);
+        assertThat(closed).containsExactly(true);
+        contact.changed(false);
+        clock.advance(GpioMonitor.SETTLED);
+        assertThat(closed).containsExactly(true, false);
     }
 
     @Test

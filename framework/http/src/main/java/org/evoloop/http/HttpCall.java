@@ -51,7 +51,11 @@ public record HttpCall(String method, URI address, Map<String, String> headers, 
     HttpCall with(Values values) {
         String places = address.toString().replace("%7B", "{").replace("%7D", "}");
         return new HttpCall(
-                method, uri(Template.url(places).with(values)), headers, Template.of(body).with(values), repeatable);
+                method,
+                uri(Template.url(places).with(values)),
+                headers,
+                Template.of(body).with(values),
+                repeatable);
     }
 
     /** A GET, which many devices accept as a command. */

@@ -98,8 +98,11 @@ public class HttpExecute extends EventExecute implements DeviceLink {
 
     /** As {@link #asking(HttpCall, Function)}; an answer without a meaning is no answer. */
     public final HttpExecute asking(HttpCall call, Meanings meanings) {
-        return asking(call, answer -> meanings.nameOf(answer).orElseThrow(() -> new IllegalStateException(
-                call + " was answered with something that is no known state of the device")));
+        return asking(
+                call,
+                answer -> meanings.nameOf(answer)
+                        .orElseThrow(() -> new IllegalStateException(
+                                call + " was answered with something that is no known state of the device")));
     }
 
     /** Sets how long the device needs after each request before it takes the next one. */

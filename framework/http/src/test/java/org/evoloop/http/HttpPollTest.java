@@ -37,8 +37,8 @@ import org.junit.jupiter.api.Test;
 class HttpPollTest {
     private static final Duration PATIENCE = Duration.ofSeconds(60);
     private static final Duration SECOND = Duration.ofSeconds(1);
-    private static final Meanings STATES = Meanings.at(
-            "/state", Map.of("off", "Off", "heating", "Heating", "ready", "Ready", "brewing", "Brewing"));
+    private static final Meanings STATES =
+            Meanings.at("/state", Map.of("off", "Off", "heating", "Heating", "ready", "Ready", "brewing", "Brewing"));
 
     private static final StateMachine MODEL = Machines.machine(
             "espresso",
@@ -80,7 +80,9 @@ class HttpPollTest {
         HttpExecute execute = new HttpExecute(
                         "Buttons of the machine",
                         Map.of(
-                                "power", HttpCall.post(url("/button/power"), "").header("Authorization", "Bearer s3cret"),
+                                "power",
+                                        HttpCall.post(url("/button/power"), "")
+                                                .header("Authorization", "Bearer s3cret"),
                                 "brew", HttpCall.post(url("/button/brew"), ""),
                                 "set", HttpCall.post(url("/button/set?to=${degrees}"), "{\"who\":\"${who}\"}")),
                         PATIENCE)
@@ -131,7 +133,9 @@ class HttpPollTest {
 
     /** The pause after an answer has begun. */
     private void awaitPoll() {
-        await().atMost(PATIENCE).until(() -> asked.get() > 0 && clock.untilNext().filter(SECOND::equals).isPresent());
+        await().atMost(PATIENCE)
+                .until(() -> asked.get() > 0
+                        && clock.untilNext().filter(SECOND::equals).isPresent());
     }
 
     private void nextPoll() {
@@ -192,7 +196,8 @@ class HttpPollTest {
         };
         buttons.press("power");
         awaitRecord("Off");
-        await().atMost(PATIENCE).until(() -> clock.untilNext().filter(SECOND::equals).isPresent());
+        await().atMost(PATIENCE)
+                .until(() -> clock.untilNext().filter(SECOND::equals).isPresent());
         nextPoll();
         assertThat(record()).isEqualTo("Off");
         assertThat(occurrences("autoOff")).isZero();

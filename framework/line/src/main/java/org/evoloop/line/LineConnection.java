@@ -10,6 +10,8 @@ import java.util.regex.Pattern;
 import org.evoloop.converter.DeviceLink;
 import org.evoloop.converter.UnknownEffectException;
 import org.evoloop.function.Reading;
+import org.evoloop.payload.Part;
+import org.evoloop.payload.Readings;
 import org.evoloop.time.Clock;
 
 /**
@@ -30,14 +32,24 @@ public final class LineConnection implements DeviceLink, AutoCloseable {
     private final Clock clock;
     private final Reconnector wire;
     private final Exchanges exchanges;
-    private final LineReadings readings = new LineReadings();
+    private final Readings readings = new Readings();
 
     /** @param clock measures pauses and limits */
     public LineConnection(LineTransport transport, Clock clock) {
         this.clock = clock;
         this.wire = new Reconnector(transport, clock);
         this.exchanges = new Exchanges(wire, clock);
-        wire.add(readings);
+        wire.add(new WireUser() {
+            @Override
+            public void heard(String line) {
+                readings.hear("", line);
+            }
+
+            @Override
+            public void lost(String why) {
+                readings.clear();
+            }
+        });
         wire.add(exchanges);
     }
 
@@ -76,8 +88,18 @@ public final class LineConnection implements DeviceLink, AutoCloseable {
      * @throws IllegalArgumentException if {@code line} has no group
      */
     public LineConnection reading(String name, Pattern line, String unit) {
-        readings.add(name, line, unit);
+        return reading(name, Part.WHOLE.group(line), unit);
+    }
+
+    /** As {@link #reading(String, Pattern, String)}, of lines that are JSON. */
+    public LineConnection reading(String name, Part part, String unit) {
+        readings.add("", name, part, unit);
         return this;
+    }
+
+    /** Measures limits and pauses. */
+    Clock clock() {
+        return clock;
     }
 
     /** Adds a listener for all lines that are not answers. It must be quick. */

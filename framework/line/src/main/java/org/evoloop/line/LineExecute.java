@@ -11,6 +11,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.evolution.Step;
+import org.evoloop.payload.Rest;
+import org.evoloop.payload.Template;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -31,9 +33,10 @@ import org.jspecify.annotations.Nullable;
  */
 public class LineExecute extends EventExecute {
     private final LineConnection connection;
-    private final Map<String, String> lines;
+    private final Map<String, Template> lines;
     private @Nullable Answers answers;
     private @Nullable Question question;
+    private Rest rest;
 
     private record Answers(Pattern ok, Pattern any, Duration limit) {}
 
@@ -43,13 +46,15 @@ public class LineExecute extends EventExecute {
      * A component that sends these events, which count as executed when they are sent.
      *
      * @param name its name in the console, unique within a converter
-     * @param lines the lines to send, by event
+     * @param lines the lines to send, by event; they may contain the event's values, see {@link Template}
      */
     public LineExecute(String name, LineConnection connection, Map<String, String> lines) {
         super(name);
         this.connection = connection;
-        this.lines = Map.copyOf(lines);
+        this.rest = new Rest(connection.clock(), Duration.ZERO);
         lines.values().forEach(LineConnection::requireOneLine);
+        this.lines = lines.entrySet().stream()
+                .collect(Collectors.toUnmodifiableMap(Map.Entry::getKey, entry -> Template.of(entry.getValue())));
     }
 
     /**
@@ -79,6 +84,17 @@ public class LineExecute extends EventExecute {
         return this;
     }
 
+    /** Sets how long the device needs after each line before it takes the next one. */
+    public final LineExecute readyAfter(Duration pause) {
+        rest = new Rest(connection.clock(), pause);
+        return this;
+    }
+
+    @Override
+    protected void awaitReady(Step step) throws InterruptedException {
+        rest.await();
+    }
+
     @Override
     protected final Set<String> sendableEvents() {
         return lines.keySet();
@@ -86,10 +102,18 @@ public class LineExecute extends EventExecute {
 
     @Override
     protected void send(Step step) throws IOException, InterruptedException {
-        String line = lines.get(step.event().name());
-        if (line == null) {
+        Template template = lines.get(step.event().name());
+        if (template == null) {
             throw new IllegalArgumentException(name() + " has no line for " + step.event());
         }
+        try {
+            send(LineConnection.requireOneLine(template.with(values())));
+        } finally {
+            rest.begin();
+        }
+    }
+
+    private void send(String line) throws IOException, InterruptedException {
         Answers expected = answers;
         if (expected == null) {
             connection.send(line);

@@ -3,13 +3,15 @@ package org.evoloop.line;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Function;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.payload.Match;
+import org.evoloop.payload.Meanings;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -37,7 +39,7 @@ public class LineMonitor extends PushMonitor {
     private final List<Rule> rules = new CopyOnWriteArrayList<>();
     private final Set<String> devicesOwn = new LinkedHashSet<>();
 
-    private record Rule(Pattern line, Function<Matcher, Occurrence> means) {}
+    private record Rule(Meanings meanings, Function<Meanings.Meaning, Occurrence> means) {}
 
     /** @param name its name in the console, unique within a converter */
     @SuppressWarnings("this-escape")
@@ -52,8 +54,7 @@ public class LineMonitor extends PushMonitor {
      * @param events by line
      */
     public final LineMonitor controller(Map<String, String> events) {
-        events.forEach((line, event) -> controller(Pattern.compile(Pattern.quote(line)), event));
-        return this;
+        return controller(Meanings.of(events));
     }
 
     /**
@@ -61,7 +62,12 @@ public class LineMonitor extends PushMonitor {
      * as texts.
      */
     public final LineMonitor controller(Pattern line, String event) {
-        return rule(line, match -> fromController(event, LineReadings.values(match)));
+        return controller(Meanings.NONE.with(Match.matching(line), event));
+    }
+
+    /** As {@link #controller(Map)}, with JSON, patterns and values. */
+    public final LineMonitor controller(Meanings events) {
+        return rule(events, event -> fromController(event.name(), event.values()));
     }
 
     /**
@@ -70,14 +76,18 @@ public class LineMonitor extends PushMonitor {
      * @param events by line
      */
     public final LineMonitor device(Map<String, String> events) {
-        events.forEach((line, event) -> device(Pattern.compile(Pattern.quote(line)), event));
-        return this;
+        return device(Meanings.of(events));
     }
 
     /** Sets a pattern of such lines, as {@link #controller(Pattern, String)} does. */
     public final LineMonitor device(Pattern line, String event) {
-        devicesOwn.add(event);
-        return rule(line, match -> fromDevice(event, LineReadings.values(match)));
+        return device(Meanings.NONE.with(Match.matching(line), event));
+    }
+
+    /** As {@link #device(Map)}, with JSON, patterns and values. */
+    public final LineMonitor device(Meanings events) {
+        devicesOwn.addAll(events.names());
+        return rule(events, event -> fromDevice(event.name(), event.values()));
     }
 
     /**
@@ -87,20 +97,24 @@ public class LineMonitor extends PushMonitor {
      * @param states of the original model, by line
      */
     public final LineMonitor found(Map<String, String> states) {
-        states.forEach((line, state) -> rule(Pattern.compile(Pattern.quote(line)), match -> foundIn(state)));
-        return this;
+        return found(Meanings.of(states));
     }
 
-    private LineMonitor rule(Pattern line, Function<Matcher, Occurrence> means) {
-        rules.add(new Rule(line, means));
+    /** As {@link #found(Map)}, with JSON and patterns. */
+    public final LineMonitor found(Meanings states) {
+        return rule(states, state -> foundIn(state.name()));
+    }
+
+    private LineMonitor rule(Meanings meanings, Function<Meanings.Meaning, Occurrence> means) {
+        rules.add(new Rule(meanings, means));
         return this;
     }
 
     private void hear(String line) {
         for (Rule rule : rules) {
-            Matcher match = rule.line().matcher(line);
-            if (match.matches()) {
-                push(rule.means().apply(match));
+            Optional<Meanings.Meaning> meaning = rule.meanings().of(line);
+            if (meaning.isPresent()) {
+                push(rule.means().apply(meaning.get()));
                 return;
             }
         }

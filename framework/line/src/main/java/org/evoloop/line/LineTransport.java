@@ -4,9 +4,11 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.nio.file.Path;
+import java.util.List;
 
 /**
- * Opens wires to a controller or device that exchanges lines: {@link #tcp}, or the serial port of the artifact {@code
+ * Opens wires to a controller or device that exchanges lines: {@link #tcp}, {@link #unix}, {@link #program}, or the serial port of the artifact {@code
  * evoloop-serial}. Its {@code toString} names the destination, for messages.
  *
  * <p>Threading: {@link #open} is called by one thread at a time.
@@ -25,6 +27,23 @@ public interface LineTransport {
     /** A TCP server, such as a device on the network or a serial adapter with a network socket. */
     static LineTransport tcp(String host, int port) {
         return new TcpTransport(host, port);
+    }
+
+    /** A Unix-domain socket of this machine. */
+    static LineTransport unix(Path socket) {
+        return new UnixTransport(socket);
+    }
+
+    /**
+     * A program, by its standard input and output. It is started without a shell, and started again when it ends; it is
+     * ended with the connection, whatever it does. What it writes to its standard error is logged. The command is shown
+     * in messages.
+     *
+     * @param command the program and its arguments, such as {@code python3 kettle.py}
+     * @throws IllegalArgumentException if it names no program
+     */
+    static LineTransport program(List<String> command) {
+        return new ProgramTransport(command);
     }
 
     /**

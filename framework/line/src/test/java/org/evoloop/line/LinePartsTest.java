@@ -12,14 +12,11 @@ import java.util.Map;
 import java.util.regex.Pattern;
 import org.evoloop.LightBulb;
 import org.evoloop.converter.SystemEventConverter;
-import org.evoloop.function.Reading;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.SystemClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /** A lamp and its switch on one socket, with a converter between them. */
 class LinePartsTest {
@@ -144,28 +141,6 @@ class LinePartsTest {
             await().atMost(PATIENCE).until(connection::isUp);
             assertThat(again.heard).isEmpty();
         }
-    }
-
-    @Test
-    void groupsOfALineAreValues() {
-        Pattern line = Pattern.compile("(?<celsius>[0-9.]+) (?<where>\\w+)( (?<none>x))?");
-        var match = line.matcher("21.5 kitchen");
-        assertThat(match.matches()).isTrue();
-        assertThat(LineReadings.values(match).number("celsius")).isEqualTo(21.5);
-        assertThat(LineReadings.values(match).text("where")).isEqualTo("kitchen");
-        assertThat(LineReadings.values(match).byName()).doesNotContainKey("none");
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"NaN", "Infinity", "-Infinity", "0x1p3", "1d", "1e999", "1e3", ".5", "1."})
-    void whatIsNoPlainNumberIsText(String text) {
-        var match = Pattern.compile("(?<value>.*)").matcher(text);
-        assertThat(match.matches()).isTrue();
-        assertThat(LineReadings.values(match).byName()).isEqualTo(Map.of("value", text));
-        LineReadings readings = new LineReadings();
-        readings.add("level", Pattern.compile("(.*)"), "mm");
-        readings.heard(text);
-        assertThat(readings.known()).containsExactly(Reading.of("level", text));
     }
 
     @Test

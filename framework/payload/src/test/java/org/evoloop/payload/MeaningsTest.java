@@ -102,6 +102,24 @@ class MeaningsTest {
     }
 
     @Test
+    void groupsOfATextAreValues() {
+        Values values = Match.matching(Pattern.compile("(?<celsius>[0-9.]+) (?<where>\\w+)( (?<none>x))?"))
+                .of("21.5 kitchen")
+                .orElseThrow();
+        assertThat(values).isEqualTo(Values.of("celsius", 21.5).with("where", "kitchen"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"NaN", "Infinity", "-Infinity", "0x1p3", "1d", "1e999", "1e3", ".5", "1."})
+    void whatIsNoPlainNumberIsText(String text) {
+        assertThat(Match.matching(Pattern.compile("(?<value>.*)")).of(text)).contains(Values.of("value", text));
+        Readings readings = new Readings();
+        readings.add("", "level", Part.WHOLE, "mm");
+        readings.hear("", text);
+        assertThat(readings.known()).containsExactly(Reading.of("level", text));
+    }
+
+    @Test
     void aReadingIsTheNewestReportUntilTheDeviceIsGone() {
         Readings readings = new Readings();
         readings.add("t", "room", Part.at("/room"), "°C");
