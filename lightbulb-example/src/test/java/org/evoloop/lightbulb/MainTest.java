@@ -47,7 +47,7 @@ class MainTest {
                 "-XX:TieredStopAtLevel=1",
                 "-cp",
                 classPath,
-                Main.class.getName()));
+                LightBulb.class.getName()));
         command.addAll(List.of(options));
         return command;
     }
