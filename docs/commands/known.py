@@ -228,6 +228,8 @@ KNOWN = [
     typed("./evoloop new heater", shows="wrote heater/heater.yaml"),
     typed("./evoloop check heater/heater.yaml", shows="passed: after ten minutes it is switched off"),
     typed("./evoloop run heater/heater.yaml --simulate", input="start\npress timed\nexit\n"),
+    Known("./evoloop run", run="./evoloop run --help", shows="--simulate"),
+    typed("./evoloop run --help", shows="--simulate"),
     Known("./evoloop run heater/heater.yaml", why_not="needs the device, which nobody has"),
     typed("./evoloop check devices/fan/fan.yaml", shows="passed: boost takes two steps"),
     typed("./evoloop run devices/fan/fan.yaml --simulate --start", input="press boost\nexit\n"),
