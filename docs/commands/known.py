@@ -297,7 +297,6 @@ KNOWN = [
     typed("./evoloop study", slow=True, needs_study=True),
     typed("./evoloop study --check", slow=True, needs_study=True),
     Known("./evoloop study --check --slow", why_not=MUTANTS),
-    Known("./evoloop study --check [--slow]", why_not=MUTANTS),
     typed("./evoloop study --experiment", slow=True, needs_study=True),
     typed("./evoloop study --measured", slow=True, needs_study=True),
     typed("./evoloop study --proof", slow=True, needs_study=True),
@@ -314,12 +313,6 @@ KNOWN = [
         " --sendable switch --spontaneous switch --timer wait=timeout",
         slow=True,
         shows="> RECOVERED",
-    ),
-    Known(
-        "./evoloop study [--checker storm|prism|both] [--experiment [--seed N]] [--measured [FILE]] [--proof]",
-        run="./evoloop study --checker storm --measured benchmarks/results/2026-11-22.json",
-        slow=True,
-        needs_study=True,
     ),
     Known(
         "prism models/exact.sm models/paper.props -const event_arrive=0.5,conversion=0.25,T=0:5:100",
