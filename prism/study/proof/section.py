@@ -1,7 +1,7 @@
 """The section of the report on the proof."""
 
 from study.markdown import table
-from study.proof.plan import ADAPTERS, PROPERTIES
+from study.proof.plan import ADAPTERS
 from study.tables import Cell, Table
 
 TABLES = ("proof", "proof-mutants", "proof-paper", "proof-conformance")
@@ -31,25 +31,35 @@ def _what(searches: list[Row]) -> str:
     states = sum(int(row[4] or 0) for row in searches)
     failed = [row for row in searches if row[-1] != "yes"]
     verdict = f"**{len(failed)} of them fail.**" if failed else "All hold."
-    rows = [(f"`{key}`", text) for key, text in PROPERTIES.items()]
     adapters = "; ".join(f"*{adapter.name}*: {adapter.meaning}" for adapter in ADAPTERS)
     return f"""The specification in `prism/proof` (Promela) has the core's inputs, with the tables of the paper's two pairs as
 `DecisionTable` compiles them from the model files, and an environment: a device that acts by itself, its adapter, the loop,
-people, functions, timers, crashes, swaps. [docs/proof.md](../../docs/proof.md) lists the assumptions. Spin visits every
-interleaving of each scene, without bitstate hashing. {len(searches)} searches, {states:,} states: {verdict}
+people, functions, timers, crashes, swaps. [docs/proof.md](../../docs/proof.md) says what the properties mean, and lists the
+assumptions. Spin visits every interleaving of each scene, without bitstate hashing. {len(searches)} searches, {states:,} states:
+{verdict}
 
-{table(("property", "meaning"), rows)}
-
-`drains` and `swaps` are about liveness, under weak fairness. Each scene is searched with two kinds of device and adapter. {adapters}."""
+`drains` and `swaps` are about liveness, under weak fairness; `safety` is all others. Each scene is searched with two kinds of
+device and adapter. {adapters}."""
 
 
 def _searches(searches: list[Row]) -> str:
+    """A row for each kind of search; proof.csv has each search."""
+    kinds: dict[tuple[Cell, ...], list[Row]] = {}
+    for search in searches:
+        kinds.setdefault(search[:3], []).append(search)
     rows = [
-        (pair, adapter, what, scene, f"{states:,}", depth, f"{memory} MB", holds)
-        for pair, adapter, what, scene, states, depth, memory, holds in searches
+        (
+            *kind,
+            len(found),
+            f"{sum(int(states or 0) for *_, states, _, _, _ in found):,}",
+            max(int(depth or 0) for *_, depth, _, _ in found),
+            f"{max(int(memory or 0) for *_, memory, _ in found)} MB",
+            "yes" if all(search[-1] == "yes" for search in found) else "**no**",
+        )
+        for kind, found in kinds.items()
     ]
     return "### Searches\n\n" + table(
-        ("pair", "adapter", "properties", "scene (at most)", "states", "depth", "memory", "holds"), rows
+        ("pair", "adapter", "properties", "scenes", "states", "deepest", "most memory", "hold"), rows
     )
 
 
