@@ -10,13 +10,12 @@ import org.junit.jupiter.api.Test;
 class FirstScenarioTest {
     private final ModelFile machines = ModelFile.read(Path.of("../models/light-bulb.xml"));
     private final ModelPair models = new ModelPair(machines.pick("original"), machines.pick("new"));
-    private final Lamp lamp = new Lamp();
+    private final LightBulb lamp = new LightBulb();
 
     @Test
     void switchedTwiceTheLampGoesOffByItself() {
-        ConverterHarness converter = ConverterHarness.of(new LampKnowledge(models, lamp))
-                .with(new LampExecute(lamp))
-                .start();
+        ConverterHarness converter =
+                ConverterHarness.of(lamp.knowledge(models)).with(lamp.execute()).start();
 
         converter.press("switch").expect("on", "on");
         converter.press("switch").expect("on", "wait");

@@ -17,10 +17,10 @@ class LampStoryTest {
     private static final String DAYLIGHT = "(*) daylight";
     private static final String INCANDESCENT = "(*) incandescent";
 
-    private final Lamp lamp = new Lamp();
+    private final LightBulb lamp = new LightBulb();
     private final ConverterHarness converter = ConverterHarness.of(
-                    new LampKnowledge(new ModelPair(MACHINES.pick("original"), MACHINES.pick("new")), lamp))
-            .with(new LampExecute(lamp))
+                    lamp.knowledge(new ModelPair(MACHINES.pick("original"), MACHINES.pick("new"))))
+            .with(lamp.execute())
             .start();
 
     private void operateSwitch() {
