@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-FAN = "docs/fan/original.scxml docs/fan/new.scxml"
-LAMP = "models/light-bulb.xml#original models/light-bulb.xml#new"
+FAN = "docs/retrofit.md#original docs/retrofit.md#new"
+LAMP = "docs/lightbulb.md#original docs/lightbulb.md#new"
 ROBOT = "{robot}"
 """Placeholder for a simulated robot's port, where the documentation has a serial port."""
 CAMERA = "{camera}"
@@ -239,7 +239,7 @@ KNOWN = [
     typed("./evoloop models flatten models/light-bulb.xml#new --format scxml", shows='<state id="incandescentOn">'),
     typed("./evoloop models check docs/fan/fan.uml#original docs/fan/fan.uml#new", shows="swallowed-event"),
     typed(f"./evoloop models plan {FAN}", shows="path power, speed"),
-    typed("./evoloop models show docs/fan/new.scxml --format svg > new.svg"),
+    typed("./evoloop models show docs/retrofit.md#new --format svg > new.svg"),
     typed(f"./evoloop models scaffold {FAN} --package com.example.fan --out fan"),
     Known("./mvnw verify", why_not=ELSEWHERE),
     Known("java -jar target/fan.jar", why_not=ELSEWHERE),

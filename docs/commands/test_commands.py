@@ -20,7 +20,7 @@ DUE = [entry for entry in KNOWN if entry.run and entry.slow == SLOW]
 LIMIT_S = 3_600 if SLOW else 300
 NOT_COPIED = (
     *(".git", "surefire-reports", "__pycache__", "repository", "interop-venv", "oracles-venv", "oracles-node", "site-venv"),
-    *("home-assistant-root", "package-roots", "fresh-roots"),
+    *("oracles-java", "home-assistant-root", "package-roots", "fresh-roots"),
     *(() if SLOW else (".venv",)),
 )
 

@@ -125,7 +125,7 @@ class RetrofitTest(unittest.TestCase):
 
     def make_project(self) -> None:
         _, *scaffold = documented(
-            "./evoloop models scaffold docs/fan/original.scxml docs/fan/new.scxml --package com.example.fan --out fan"
+            "./evoloop models scaffold docs/retrofit.md#original docs/retrofit.md#new --package com.example.fan --out fan"
         )
         models, out = scaffold[1:-1], str(self.project)
         subprocess.run(["java", "-jar", TOOL, *models, out], cwd=ROOT, check=True, capture_output=True, timeout=PATIENCE_S)

@@ -24,7 +24,6 @@ final class Body {
 
     private final List<String> effects = new ArrayList<>();
     private final Set<Node> left = new HashSet<>();
-    private final Set<Link> used = new HashSet<>();
     private final Set<Link> underWay = new HashSet<>();
     private final Set<Node> entered = new HashSet<>();
 
@@ -40,7 +39,7 @@ final class Body {
     }
 
     Outcome outcome() {
-        return new Outcome(active.snapshot(), List.copyOf(effects), left, entered, used);
+        return new Outcome(active.snapshot(), List.copyOf(effects), left, entered);
     }
 
     /** The completed states whose completion transitions have not been tried yet, in order. */
@@ -124,7 +123,6 @@ final class Body {
         List<Node> opened = new ArrayList<>();
         for (Link link : path) {
             List<Link> together = link.target.is(Kind.JOIN) ? link.target.incoming : List.of(link);
-            used.addAll(together);
             if (link.isInternal()) {
                 effects.addAll(link.arc.effects());
                 return;
@@ -177,7 +175,6 @@ final class Body {
     private List<Node> branches(Node fork) {
         List<Node> targets = new ArrayList<>();
         for (Link link : fork.outgoing) {
-            used.add(link);
             effects.addAll(link.arc.effects());
             targets.add(link.target);
         }

@@ -54,7 +54,6 @@ final class Explorer {
     private boolean unreachable;
 
     private final BitSet visited = new BitSet();
-    private final BitSet used = new BitSet();
     private int explored;
     private int moveCount;
     private @Nullable Case start;
@@ -118,17 +117,6 @@ final class Explorer {
     /** The state with this snapshot. */
     Reached reached(Snapshot state) {
         return requireNonNull(find(state));
-    }
-
-    /** The transitions that are never taken. */
-    List<Link> unused() {
-        if (used.cardinality() == net.links()) {
-            return List.of();
-        }
-        return net.nodes().stream()
-                .flatMap(node -> node.outgoing.stream())
-                .filter(link -> !used.get(link.index))
-                .toList();
     }
 
     private void begin() {
@@ -227,7 +215,6 @@ final class Explorer {
     /** The move of a state that may have orthogonal states beside it. */
     private Move plain(Link link, Cause cause, Snapshot state) {
         work(state.leaves().length);
-        used.set(link.index);
         visited.set(link.target.index);
         Snapshot after = state.with(link.source, link.target);
         return new Move(cause, List.of(), number(after), PlainSteps.effects(link), false, Set.of(link.source), false);
@@ -250,7 +237,6 @@ final class Explorer {
 
     /** Reaches the target of a plain transition. */
     private void take(Link link) {
-        used.set(link.index);
         visited.set(link.target.index);
         if (alone[link.target.index] == NONE) {
             reach(Snapshot.of(link.target));
@@ -316,7 +302,6 @@ final class Explorer {
     }
 
     private int found(Outcome outcome) {
-        outcome.used().forEach(link -> used.set(link.index));
         outcome.entered().forEach(node -> visited.set(node.index));
         return number(outcome.target());
     }

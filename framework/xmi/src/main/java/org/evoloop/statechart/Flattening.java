@@ -57,22 +57,17 @@ public final class Flattening {
     private final List<Problem> problems;
     private final @Nullable StateMachine machine;
     private final Supplier<Map<State, List<Vertex>>> leaves;
-    private final List<Arc> unused;
 
     private Flattening(
-            List<Problem> problems,
-            @Nullable StateMachine machine,
-            Supplier<Map<State, List<Vertex>>> leaves,
-            List<Arc> unused) {
+            List<Problem> problems, @Nullable StateMachine machine, Supplier<Map<State, List<Vertex>>> leaves) {
         this.problems = List.copyOf(problems);
         this.machine = machine;
         this.leaves = leaves;
-        this.unused = unused;
     }
 
     /** Of a chart without problems, all of whose transitions can be taken. */
     Flattening(StateMachine machine, Supplier<Map<State, List<Vertex>>> leaves) {
-        this(List.of(), machine, leaves, List.of());
+        this(List.of(), machine, leaves);
     }
 
     /** Flattens a chart, or finds the problems that prevent it. */
@@ -104,9 +99,7 @@ public final class Flattening {
             if (!flat.problems().isEmpty()) {
                 return failed(List.copyOf(flat.problems()));
             }
-            List<Arc> unused =
-                    explorer.unused().stream().map(link -> link.arc).distinct().toList();
-            return new Flattening(problems, machine, flat::leaves, unused);
+            return new Flattening(problems, machine, flat::leaves);
         } catch (ModelException refused) {
             return failed(
                     List.of(new Problem(chart.place(), String.valueOf(refused.getMessage()), "rename one of them")));
@@ -114,7 +107,7 @@ public final class Flattening {
     }
 
     private static Flattening failed(List<Problem> problems) {
-        return new Flattening(problems, null, Map::of, List.of());
+        return new Flattening(problems, null, Map::of);
     }
 
     /**
@@ -151,10 +144,5 @@ public final class Flattening {
     /** The flat machine's states, each with the drawn innermost states that are active in it, region by region. */
     public Map<State, List<Vertex>> leaves() {
         return leaves.get();
-    }
-
-    /** The drawn transitions that can never be taken. */
-    public List<Arc> unused() {
-        return unused;
     }
 }

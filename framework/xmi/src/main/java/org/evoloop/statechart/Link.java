@@ -4,9 +4,6 @@ package org.evoloop.statechart;
 final class Link {
     static final String ELSE = "else";
 
-    /** In the order in which they are drawn. */
-    final int index;
-
     final Arc arc;
     final Node source;
     final Node target;
@@ -17,8 +14,7 @@ final class Link {
      */
     final boolean simple;
 
-    Link(int index, Arc arc, Node source, Node target) {
-        this.index = index;
+    Link(Arc arc, Node source, Node target) {
         this.arc = arc;
         this.source = source;
         this.target = target;

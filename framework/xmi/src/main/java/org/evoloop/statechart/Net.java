@@ -8,7 +8,6 @@ import java.util.Set;
  *
  * @param tops its top regions
  * @param nodes in document order
- * @param links the number of transitions
  * @param triggers the events on transitions
  * @param timeTriggers the timer events
  * @param spontaneous the events drawn as raised by the device itself
@@ -19,7 +18,6 @@ record Net(
         Statechart chart,
         List<Zone> tops,
         List<Node> nodes,
-        int links,
         Set<String> triggers,
         Set<String> timeTriggers,
         Set<String> spontaneous,

@@ -30,7 +30,6 @@ final class NetBuilder {
     private final List<Arc> arcs = new ArrayList<>();
     private final Set<String> spontaneous = new LinkedHashSet<>();
     private int zones;
-    private int links;
 
     private NetBuilder(Statechart chart, List<Problem> problems) {
         this.chart = chart;
@@ -78,7 +77,7 @@ final class NetBuilder {
         timeTriggers.removeIf(name -> !isTime(name));
         boolean calm = timeTriggers.isEmpty()
                 && nodes.stream().allMatch(node -> node.activities().isEmpty());
-        return new Net(chart, tops, nodes, links, named.keySet(), timeTriggers, spontaneous, raised, calm);
+        return new Net(chart, tops, nodes, named.keySet(), timeTriggers, spontaneous, raised, calm);
     }
 
     static boolean isTime(String trigger) {
@@ -107,6 +106,9 @@ final class NetBuilder {
         if (zone.depth > MAX_DEPTH) {
             problems.add(new Problem(
                     region.place(), "states are nested deeper than " + MAX_DEPTH, "draw a machine of fewer levels"));
+            // What is left could not be connected.
+            left.clear();
+            arcs.clear();
             return;
         }
         if (owner == null) {
@@ -178,7 +180,7 @@ final class NetBuilder {
                     "draw it from state to state"));
             return;
         }
-        Link link = new Link(links++, arc, source, target);
+        Link link = new Link(arc, source, target);
         source.addOutgoing(link);
         if (!arc.spontaneous().isEmpty()) {
             spontaneous.addAll(arc.spontaneous());

@@ -10,9 +10,8 @@ import java.util.Set;
  * @param effects the behaviors that ran, in order
  * @param left the states that were left, even if they were entered again
  * @param entered the vertices that were entered, even if they were left again
- * @param used the transitions that were taken
  */
-record Outcome(Snapshot target, List<String> effects, Set<Node> left, Set<Node> entered, Set<Link> used) {
+record Outcome(Snapshot target, List<String> effects, Set<Node> left, Set<Node> entered) {
     /** Whether the machine does the same, though by other transitions. */
     boolean isLike(Outcome other) {
         return target.equals(other.target)

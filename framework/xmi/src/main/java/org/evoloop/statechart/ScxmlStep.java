@@ -39,7 +39,6 @@ final class ScxmlStep implements Step {
     private final List<String> effects = new ArrayList<>();
     private final Set<Node> left = new HashSet<>();
     private final Set<Node> entered = new HashSet<>();
-    private final Set<Link> used = new HashSet<>();
     private boolean ended;
 
     ScxmlStep(Net net, Guards guards) {
@@ -113,7 +112,7 @@ final class ScxmlStep implements Step {
         if (ended) {
             inReverseOrder(active.all()).forEach(node -> effects.addAll(node.exit()));
         }
-        return new Outcome(active.snapshot(), List.copyOf(effects), left, entered, used);
+        return new Outcome(active.snapshot(), List.copyOf(effects), left, entered);
     }
 
     private static List<Link> links(List<Take> takes) {
@@ -289,10 +288,6 @@ final class ScxmlStep implements Step {
     }
 
     private void run(Link link) {
-        used.add(link);
-        if (link.target.is(Kind.FORK)) {
-            used.addAll(link.target.outgoing);
-        }
         effects.addAll(link.arc.effects());
     }
 
@@ -401,9 +396,6 @@ final class ScxmlStep implements Step {
                 }
                 active.add(state);
                 entered.add(state);
-                if (state.zone.ofParallel) {
-                    used.add(initial(state.zone));
-                }
                 effects.addAll(state.entry());
                 defaults.getOrDefault(state, Set.of()).forEach(ScxmlStep.this::run);
                 if (state.isFinal()) {

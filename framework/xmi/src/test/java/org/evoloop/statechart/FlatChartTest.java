@@ -115,7 +115,7 @@ class FlatChartTest {
     }
 
     private static List<Object> description(Flattening flattening) {
-        List<Object> all = new ArrayList<>(List.of(flattening.problems(), flattening.leaves(), flattening.unused()));
+        List<Object> all = new ArrayList<>(List.of(flattening.problems(), flattening.leaves()));
         if (flattening.problems().isEmpty()) {
             StateMachine machine = flattening.machine();
             all.addAll(List.of(

@@ -165,7 +165,8 @@ class FlatteningRefusalTest {
             inner = state("s" + level, region(inner));
         }
 
-        assertThat(Flattening.of(chart(region(initial("i"), inner), arc("i s99999")))
+        // The transition leads to a state that is too deep, which is no second problem.
+        assertThat(Flattening.of(chart(region(initial("i"), inner), arc("i s5")))
                         .problems())
                 .extracting(Problem::message)
                 .containsExactly("states are nested deeper than 300");

@@ -71,7 +71,6 @@ class FlatteningTest {
 
         assertThat(lines(Flattening.flatten(chart)))
                 .containsExactly("A --go [g]--> B / -A 1 +B", "A --go [h]--> B / -A 2 +B", "A --go--> B / -A plain +B");
-        assertThat(Flattening.of(chart).unused()).extracting(Arc::guard).containsExactly("else");
     }
 
     @Test

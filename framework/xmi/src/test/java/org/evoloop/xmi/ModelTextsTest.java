@@ -20,7 +20,9 @@ class ModelTextsTest {
         "roomba.xml, roomba.md",
         "cleaning-robot-twice.scxml, cleaning-robot-twice.mmd",
         "light-bulb.xml, README.md",
-        "light-bulb.xml, ../README.md"
+        "light-bulb.xml, ../README.md",
+        "light-bulb.xml, ../docs/lightbulb.md",
+        "../docs/fan/fan.uml, ../docs/retrofit.md"
     })
     void theTextIsTheDrawing(String drawing, String text) {
         ModelFile texts = read(text);

@@ -56,6 +56,25 @@ class ModelWriterTest {
     }
 
     @Test
+    void mermaidTellsEventsThatAreCalledLikeBehaviorsFromThese() {
+        String text = "stateDiagram-v2\n[*] --> A\nA : entry / on\nA : #101;ntry / x\nA : #68;o /\nA : exits / y\n"
+                + "A : tick / #100;efer\nA : defer / later\nA --> A : later\n";
+        String written = ModelWriter.MERMAID.write(
+                ModelFile.read("A.mmd", new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)))
+                        .findOnly()
+                        .statechart());
+
+        assertThat(written.lines().map(String::strip))
+                .contains(
+                        "A : entry / on",
+                        "A : defer / later",
+                        "A : #101;ntry / x",
+                        "A : #68;o /",
+                        "A : exits / y",
+                        "A : tick / #100;efer");
+    }
+
+    @Test
     void scxmlIsWrittenWithForksChoicesAndNames() {
         Statechart chart = plantUml("""
                 state "(A, B)" as A

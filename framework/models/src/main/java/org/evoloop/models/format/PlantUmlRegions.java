@@ -14,7 +14,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Where PlantUML can draw the transitions of a chart. What is in a concurrent region, other than the first of its state,
- * can be named only there, and nothing else can be named there; such a region is called closed.
+ * can be named only there, and nothing else can be named there; such a region is called closed. Its own lines name only
+ * what is directly in it.
  */
 @SuppressWarnings("ReferenceEquality") // two regions may look alike
 final class PlantUmlRegions {
@@ -81,15 +82,36 @@ final class PlantUmlRegions {
                 && around.get(common) == aroundTarget.get(common)) {
             common++;
         }
-        Drawn drawn = new Drawn(arc, end(arc.source(), around, common), end(arc.target(), aroundTarget, common));
-        List<Region> aroundListed = closedAround(listed);
-        boolean sameClosed = aroundListed.size() == common
-                && (common == 0 || aroundListed.get(common - 1) == around.get(common - 1));
-        if (sameClosed && isIn(listed, drawn.source()) && isIn(listed, drawn.target())) {
-            writtenIn(listed).add(drawn);
+        String source = end(arc.source(), around, common);
+        String target = end(arc.target(), aroundTarget, common);
+        if (common > 0) {
+            drawIn(around.get(common - 1), arc, source, target);
+        } else if (closedAround(listed).isEmpty() && isIn(listed, source) && isIn(listed, target)) {
+            writtenIn(listed).add(new Drawn(arc, source, target));
         } else {
-            (common == 0 ? acrossAll : writtenIn(around.get(common - 1))).add(drawn);
+            acrossAll.add(new Drawn(arc, source, target));
         }
+    }
+
+    /** In the innermost region around both ends; the lines of a closed one itself name only what is directly in it. */
+    private void drawIn(Region closed, Arc arc, String source, String target) {
+        Region inner = regions.getOrDefault(source, closed);
+        while (inner != closed && !isIn(inner, target)) {
+            inner = regions.getOrDefault(place(inner).state(), closed);
+        }
+        writtenIn(inner)
+                .add(
+                        inner == closed
+                                ? new Drawn(arc, directlyIn(closed, source), directlyIn(closed, target))
+                                : new Drawn(arc, source, target));
+    }
+
+    private String directlyIn(Region region, String key) {
+        String outer = key;
+        for (Region home = regions.get(key); home != null && home != region; home = regions.get(outer)) {
+            outer = place(home).state();
+        }
+        return outer;
     }
 
     /** The vertex itself, or the state with the outermost closed region that the other end is not in. */

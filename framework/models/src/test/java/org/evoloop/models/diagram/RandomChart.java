@@ -14,7 +14,7 @@ import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.statechart.Vertex.Pseudostate;
 
 /** Nested charts for layout only: arcs lead from anywhere to anywhere, so they have no meaning. */
-final class RandomChart {
+public final class RandomChart {
     private static final List<Kind> KINDS = List.of(Kind.values());
 
     private final Random random;
@@ -26,7 +26,7 @@ final class RandomChart {
         this.left = 4 + random.nextInt(20);
     }
 
-    static Statechart of(long seed) {
+    public static Statechart of(long seed) {
         RandomChart chart = new RandomChart(seed);
         Region inner = chart.region(0);
         List<Arc> arcs = new ArrayList<>();

@@ -32,7 +32,9 @@ final class ScxmlChartReader {
         ScxmlDocument document = tree.document();
         ScxmlVocabulary.check(document, problems);
         List<String> beginning = new ArrayList<>();
-        beginning(null, beginning);
+        List<String> scripts = new ArrayList<>();
+        beginning(null, beginning, scripts);
+        beginning.addAll(scripts);
         if (tree.vertices(null).isEmpty()) {
             problems.add(document.line(), "scxml has no state; write one");
         }
@@ -41,20 +43,20 @@ final class ScxmlChartReader {
         return new Statechart(title, region.place(), List.of(region), List.of(), Statechart.Semantics.SCXML);
     }
 
-    /** Collects what runs before the first state is entered: the data model's initial values and the scripts. */
-    private void beginning(@Nullable ScxmlVertex container, List<String> effects) {
+    /** Collects what runs before the first state is entered: the initial values of all data, and then the scripts. */
+    private void beginning(@Nullable ScxmlVertex container, List<String> values, List<String> scripts) {
         for (XmlNode child : tree.rest(container)) {
             if (child.name().equals("datamodel")) {
                 ScxmlVocabulary.check(child, problems);
-                effects.addAll(ScxmlActions.data(child));
+                values.addAll(ScxmlActions.data(child));
                 if (container != null && tree.document().attribute("binding").equals("late")) {
                     problems.add(child.line(), "late binding of data is not supported; use binding=\"early\"");
                 }
             } else if (child.name().equals("script")) {
-                effects.add(ScxmlActions.text(child));
+                scripts.add(ScxmlActions.text(child));
             }
         }
-        tree.vertices(container).forEach(vertex -> beginning(vertex, effects));
+        tree.vertices(container).forEach(vertex -> beginning(vertex, values, scripts));
     }
 
     /** The region with the contents of a state, or of the root for null. */

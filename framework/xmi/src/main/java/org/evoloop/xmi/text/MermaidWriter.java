@@ -258,10 +258,7 @@ public final class MermaidWriter {
         state.doActivities().forEach(behavior -> below.add("do / " + Words.effect(behavior)));
         state.exit().forEach(behavior -> below.add("exit / " + Words.effect(behavior)));
         state.deferred().forEach(event -> below.add("defer / " + Words.trigger(event)));
-        for (Arc arc : state.internal()) {
-            String label = Words.label(arc);
-            below.add(arc.effects().isEmpty() ? label + " /" : label);
-        }
+        state.internal().forEach(arc -> below.add(Words.inState(arc)));
         return below;
     }
 

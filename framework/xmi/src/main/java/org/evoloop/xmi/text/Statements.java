@@ -35,8 +35,6 @@ final class Statements {
     /** Nobody writes longer ones, and reading them may take time quadratic in their length. */
     private static final int LONGEST_LINE = 4_000;
 
-    /** What PlantUML takes out of a line before it reads it. */
-    private static final Pattern COMMENT = Pattern.compile("/'.*?'/");
     /** A colon and more that PlantUML takes for a part of the id before it, at the begin of an arrow. */
     private static final Pattern COLON_OF_SOURCE = Pattern.compile(":[\\p{L}\\p{N}_.:]*+(?=\\s*+(?:x?-+[^-]*>|o?<-))");
     /** The same at its end, where only a colon that a blank or a sign follows begins the label. */
@@ -69,7 +67,7 @@ final class Statements {
                 problems.add(number, "the line has " + text.length() + " letters; write shorter ones");
                 continue;
             }
-            Cursor line = new Cursor(syntax == Syntax.PLANTUML ? blank(COMMENT, text) : text, number);
+            Cursor line = new Cursor(text, number);
             try {
                 while (line.hasMore()) {
                     if (!ignored.takes(line)) {
@@ -298,7 +296,7 @@ final class Statements {
         return state == null ? tree.scope().history(deep, line.line()) : tree.history(state, deep, line.line(), column);
     }
 
-    /** Skips the style behind a state's id. */
+    /** Skips the style and the comment behind a state's id. */
     private void style(Cursor line) {
         while (line.hasMore()) {
             if (line.take(":::")) {
@@ -309,6 +307,8 @@ final class Statements {
                 line.upTo(" ");
             } else if (syntax == Syntax.PLANTUML && line.isAt("<<")) {
                 line.upTo(">>");
+            } else if (syntax == Syntax.PLANTUML && line.isAt("/'") && line.comesLater("'/")) {
+                line.upTo("'/");
             } else {
                 return;
             }
@@ -371,7 +371,7 @@ final class Statements {
     private Label label(Cursor line) throws Refusal {
         line.hasMore();
         int column = line.column();
-        String label = blank(BREAK, line.rest());
+        String label = flat(line.rest());
         refuseMarks(label, column);
         behaviors.noteSlash(label, line.line(), column);
         return Label.parse(label, column, syntax);
@@ -397,11 +397,11 @@ final class Statements {
         }
     }
 
-    /** The text with blanks for what is found, so that columns stay the same. */
-    private static String blank(Pattern what, String text) {
-        return text.indexOf('<') < 0 && text.indexOf('\\') < 0 && text.indexOf('\'') < 0
+    /** The text with blanks for each line break, so that columns stay the same. */
+    private static String flat(String text) {
+        return text.indexOf('<') < 0 && text.indexOf('\\') < 0
                 ? text
-                : what.matcher(text)
+                : BREAK.matcher(text)
                         .replaceAll(found -> " ".repeat(found.group().length()));
     }
 

@@ -129,7 +129,12 @@ final class TextState {
 
     /** Whether its region is inside itself. */
     boolean isInItself() {
-        Scope outer = home;
+        return isAround(home);
+    }
+
+    /** Whether the region is one of its own, or inside one. */
+    private boolean isAround(@Nullable Scope inner) {
+        Scope outer = inner;
         for (int depth = 0; outer != null && depth <= TextTree.MAX_DEPTH; depth++) {
             TextState owner = outer.owner();
             if (owner == this) {
@@ -160,7 +165,12 @@ final class TextState {
             return;
         }
         mentions.forEach((scope, mention) -> {
-            if (first != null
+            if (syntax == Syntax.PLANTUML && mention.naming() == Naming.DECLARED && isAround(scope)) {
+                problems.add(
+                        mention.line(),
+                        "column " + mention.column() + ": '" + id + "' is declared inside itself, where PlantUML draws"
+                                + " another state; rename it");
+            } else if (first != null
                     && !scope.encloses(own)
                     && !own.encloses(scope)
                     && !(syntax == Syntax.PLANTUML && isOnlyLinked(scope, mention, own, first))) {

@@ -46,6 +46,10 @@ final class Words {
 
     private static final Pattern SIGNS = Pattern.compile("[,/\\[\\]()\":«]");
 
+    /** The first letter of a word that begins what a state does, or is what defers an event. */
+    private static final Pattern BEHAVIOR = Pattern.compile(
+            "(?i)^(?:e(?=ntry\\s*[/:])|e(?=xit\\s*[/:])|d(?=o\\s*[/:])|d(?=efer\\s*[/:]))|(?<=/ )d(?=efer$)");
+
     /** Between the texts of several guards, each in its own brackets. */
     static final String BETWEEN_GUARDS = "] [";
 
@@ -94,6 +98,13 @@ final class Words {
         }
         parts.add(arc.kind() == Arc.Kind.LOCAL ? Label.LOCAL : "");
         return String.join(" ", parts.stream().filter(part -> !part.isEmpty()).toList());
+    }
+
+    /** An internal transition in the text of its state, where some words would mean something else. */
+    static String inState(Arc internal) {
+        String text = label(internal) + (internal.effects().isEmpty() ? " /" : "");
+        return BEHAVIOR.matcher(text)
+                .replaceAll(word -> "#" + (int) word.group().charAt(0) + ";");
     }
 
     private static boolean isAlone(String label, List<String> triggers, List<String> guards, List<String> effects) {

@@ -25,7 +25,7 @@ final class Uml2Texts {
         this.problems = problems;
     }
 
-    /** The behaviors in this role, each by its code or else its name; a behavior without any text is left out. */
+    /** The behaviors in this role, each by its code or else its name; one without any text is left out with a note. */
     List<String> behaviors(Uml2Element owner, String role) {
         List<String> texts = new ArrayList<>();
         for (Uml2Element behavior : references.all(owner, role)) {
@@ -37,6 +37,11 @@ final class Uml2Texts {
                         behavior.place(),
                         role + " of " + owner.type() + " " + owner.label() + " is a " + behavior.type() + " (id "
                                 + Problems.quote(behavior.id()) + ") without a name; give it one");
+            } else {
+                problems.note(
+                        behavior.place(),
+                        role + " of " + owner.type() + " " + owner.label() + " has neither a body nor a name and is"
+                                + " ignored; write what it does, or remove it");
             }
         }
         return texts;
@@ -103,6 +108,13 @@ final class Uml2Texts {
             problems.note(
                     constraint.place(),
                     "guard " + constraint.label() + " has no text and is ignored; write the condition, or remove it");
+        }
+        if (Condition.isFalse(text)) {
+            problems.note(
+                    constraint.place(),
+                    "guard " + constraint.label()
+                            + " is false, so its transition is never taken; write the condition, or"
+                            + " remove the transition");
         }
         return Condition.guard(text);
     }

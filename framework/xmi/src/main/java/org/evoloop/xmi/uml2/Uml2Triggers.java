@@ -11,6 +11,9 @@ final class Uml2Triggers {
     /** A text that is already a time or change trigger: it begins with a keyword, or is a duration of ISO 8601. */
     private static final Pattern SAYS_SO = Pattern.compile("(?i:(after|at|tm|when)\\b.*)|PT?[0-9].*", Pattern.DOTALL);
 
+    /** Such as {@code at 2 s}, while {@code at 12:00} is a point in time. */
+    private static final Pattern DELAY = Pattern.compile("at [0-9]+([.,][0-9]+)?\\s*(\\p{L}+)?");
+
     /** Names that only mean any event. */
     private static final Pattern ANY = Pattern.compile("(?i)(AnyReceiveEvent\\d*|all|any|\\*)?");
 
@@ -63,12 +66,24 @@ final class Uml2Triggers {
             case "SignalEvent", "ReceiveSignalEvent", "SendSignalEvent", "SignalTrigger" -> named(event, "signal", own);
             case "CallEvent", "ReceiveOperationEvent", "SendOperationEvent", "CallTrigger" ->
                 named(event, "operation", own);
-            case "TimeEvent", "TimeTrigger" ->
-                expression(event, "when", event.attribute("isRelative").equals("true") ? "after " : "at ", own);
+            case "TimeEvent", "TimeTrigger" -> time(event, own);
             case "ChangeEvent", "ChangeTrigger" -> expression(event, "changeExpression", "when ", own);
             case "AnyReceiveEvent", "AnyTrigger" -> any(event, trigger);
             default -> own;
         };
+    }
+
+    /** A delay without isRelative would be an event that no timer raises. */
+    private String time(Uml2Element event, String own) {
+        boolean relative = event.attribute("isRelative").equals("true");
+        String name = expression(event, "when", relative ? "after " : "at ", own);
+        if (!relative && DELAY.matcher(name).matches()) {
+            problems.add(
+                    event.place(),
+                    "time event " + event.label() + " has the delay " + Problems.quote(name.substring("at ".length()))
+                            + ", but isRelative is not true; set it to true, or write after in the expression");
+        }
+        return name;
     }
 
     private String named(Uml2Element event, String role, String own) {

@@ -122,6 +122,13 @@ class ScxmlReadingTest {
     }
 
     @Test
+    void shouldRunTheScriptAfterTheDataOfAllStates() {
+        assertThat(ChartText.of(scxml("""
+                        <script>start(n)</script>
+                        <state id='s'><datamodel><data id='n' expr='1'/></datamodel></state>"""))).contains("#1 -> s : / n = 1; start(n)");
+    }
+
+    @Test
     void shouldTakeTransitionsWithoutEventForWhatTheyAre() {
         assertThat(ChartText.of(scxml("""
                         <state id='choose'><transition cond='x' target='wait'/><transition target='over'/></state>

@@ -299,7 +299,7 @@ class TextReadingTest {
 
     @Test
     void commentsAndEndsOfArrowsAreTakenOut() {
-        assertThat(plantUml("[*] --> A /' here '/", "A x->o B : go /' and there '/", "o --> x", "B <-x A : back"))
+        assertThat(plantUml("[*] --> A /' here '/", "/' there '/ A x->o B : go", "o --> x", "B <-x A : back"))
                 .contains(START, "A -> B : go", "o -> x", "A -> B : back");
     }
 

@@ -61,6 +61,7 @@ class TextRefusalTest {
             value = {
                 "A.B --> C | column 2: PlantUML reads '.' in an id as a state inside 'A'",
                 "A o-> B | column 3: 'o-> B' is no arrow",
+                "state A {\\nstate A\\n} | 'A' is declared inside itself, where PlantUML draws another state",
                 "A --> B:go | column 8: PlantUML takes ':go' for a part of the id; write a blank before the colon",
                 "A --> B:at:noon sharp | column 8: PlantUML takes ':at:noon' for a part of the id",
                 "A:go --> B | column 2: PlantUML takes ':go' for a part of the id",
@@ -76,10 +77,7 @@ class TextRefusalTest {
             })
     void plantUml(String line, String problem) {
         assertRefused(
-                "lamp.puml",
-                "@startuml\n[*] --> Off\n" + line.replace("\\n", "\n") + "\n@enduml\n",
-                "line 3: ",
-                problem);
+                "lamp.puml", "@startuml\n[*] --> Off\n" + line.replace("\\n", "\n") + "\n@enduml\n", "line ", problem);
     }
 
     @Test

@@ -9,6 +9,7 @@ import static org.evoloop.xmi.uml2.Uml2Text.transition;
 
 import org.evoloop.statemachine.Transition;
 import org.evoloop.xmi.ChartText;
+import org.evoloop.xmi.XmiMachine;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -104,6 +105,34 @@ class Uml2TransitionTest {
                         "<ownedRule xmi:type='uml:Constraint' xmi:id='g'>"
                                 + "<specification xmi:type='uml:LiteralBoolean' value='false'/></ownedRule>")))
                 .contains("a -> b : [false]");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "<guard xmi:id='g'><specification xmi:type='uml:LiteralBoolean' value='false'/></guard> | guard '' (id 'g') is false",
+                "<guard xmi:id='g'><specification xmi:type='uml:LiteralBoolean'/></guard> | guard '' (id 'g') is false, so its",
+                "<effect xmi:type='uml:OpaqueBehavior' xmi:id='f'/> | has neither a body nor a name and is ignored",
+                "<effect xmi:type='uml:OpaqueBehavior' xmi:id='f'><body> </body></effect> | has neither a body nor a name",
+            })
+    void shouldNoteWhatIsNeverDone(String content, String note) {
+        XmiMachine machine = ChartText.machines(transition("", content)).get(0);
+
+        assertThat(machine.statechart().name()).isNotNull();
+        assertThat(machine.notes()).singleElement().asString().contains(note);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"2 s", "1000", "1,5min"})
+    void shouldRefuseADelayThatIsNotRelative(String delay) {
+        assertThat(ChartText.refusal(transition(
+                        "",
+                        TRIGGER,
+                        "<packagedElement xmi:type='uml:TimeEvent' xmi:id='e'><when>"
+                                + "<expr xmi:type='uml:LiteralString' value='" + delay
+                                + "'/></when></packagedElement>")))
+                .contains("time event '' (id 'e') has the delay '" + delay + "', but isRelative is not true");
     }
 
     @ParameterizedTest

@@ -15,7 +15,7 @@ import net.sourceforge.plantuml.statediagram.StateDiagram;
 /**
  * Tells how PlantUML itself understands state diagrams: the file has several, each before a line ====. For each of them,
  * in order, prints a line for each state, "state ID PARENT", and each transition, "edge SOURCE TARGET : LABEL", and then
- * a line ====. If PlantUML refuses the diagram, its description is printed, "refused DESCRIPTION".
+ * a line ====. What has no id is [*], [H] or [H*]. If PlantUML refuses the diagram, it prints "refused DESCRIPTION".
  */
 public final class PlantUml {
     public static void main(String[] arguments) throws Exception {
@@ -36,7 +36,7 @@ public final class PlantUml {
 
     private static void facts(StateDiagram diagram, List<String> lines) {
         for (Entity leaf : diagram.leafs()) {
-            if (leaf.getLeafType() != LeafType.NOTE && !isCircle(leaf)) {
+            if (leaf.getLeafType() != LeafType.NOTE && !isNameless(leaf)) {
                 lines.add("state " + leaf.getName() + " " + parent(leaf));
             }
         }
@@ -62,13 +62,16 @@ public final class PlantUml {
         return entity.getLeafType() == LeafType.NOTE;
     }
 
-    private static boolean isCircle(Entity entity) {
-        return end(entity).equals("[*]");
+    private static boolean isNameless(Entity entity) {
+        return end(entity).startsWith("[");
     }
 
     private static String end(Entity entity) {
-        boolean circle = entity.getLeafType() == LeafType.CIRCLE_START || entity.getLeafType() == LeafType.CIRCLE_END;
-        return circle ? "[*]" : entity.getName();
+        LeafType type = entity.getLeafType();
+        boolean circle = type == LeafType.CIRCLE_START || type == LeafType.CIRCLE_END;
+        return circle
+                ? "[*]"
+                : type == LeafType.PSEUDO_STATE ? "[H]" : type == LeafType.DEEP_HISTORY ? "[H*]" : entity.getName();
     }
 
     private static String parent(Entity entity) {
