@@ -1,5 +1,7 @@
 package org.evoloop.roomba;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -10,30 +12,27 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.IntFunction;
-import java.util.stream.Stream;
 import org.evoloop.config.CommandOptions;
 import org.evoloop.config.Mistakes;
 import org.evoloop.config.Options;
 import org.evoloop.config.Settings;
-import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
 import org.evoloop.journal.Journal;
 import org.evoloop.link.Link;
 import org.evoloop.link.SerialLink;
 import org.evoloop.link.SerialSettings;
 import org.evoloop.loop.LoopConfig;
-import org.evoloop.mqtt.HomeAssistant;
 import org.evoloop.mqtt.MqttOptions;
-import org.evoloop.page.Page;
 import org.evoloop.page.PageOptions;
 import org.evoloop.page.Picture;
+import org.evoloop.program.Program;
+import org.evoloop.program.ProgramSetup;
 import org.evoloop.roomba.session.RoombaSession;
 import org.evoloop.roomba.session.SessionOptions;
 import org.evoloop.roomba.simulator.SimulatorServer;
 import org.evoloop.roomba.simulator.WorldCommands;
 import org.evoloop.roomba.simulator.room.Room;
 import org.evoloop.roomba.simulator.room.RoomFile;
-import org.evoloop.service.Service;
 import org.evoloop.service.ServiceOptions;
 import org.evoloop.statemachine.Names;
 import org.evoloop.time.Clock;
@@ -175,16 +174,7 @@ final class RoombaCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException, InterruptedException {
-        try (Service service = Service.open(ServiceOptions.of(settings))) {
-            String robotPort = port;
-            if (robotPort != null) {
-                return converse(service, robotPort, null);
-            }
-            try (SimulatedWorld simulated =
-                    SimulatedWorld.inThisProcess(pace(), options.wantsSimulatedCamera(), world)) {
-                return converse(service, simulated.port().toString(), simulated);
-            }
-        }
+        return Program.named("roomba", "").converter(this::assemble).run(settings);
     }
 
     private double pace() {
@@ -200,40 +190,42 @@ final class RoombaCommand implements Callable<Integer> {
         return speed;
     }
 
-    private int converse(Service service, String robotPort, @Nullable SimulatedWorld world)
-            throws IOException, InterruptedException {
+    private void assemble(ProgramSetup setup) throws IOException, InterruptedException {
         double pace = pace();
-        Optional<Eyes> eyes = options.eyes(pace, world == null ? Optional.empty() : world.camera());
+        String real = port;
+        SimulatedWorld simulated = real == null
+                ? setup.closing(SimulatedWorld.inThisProcess(pace, options.wantsSimulatedCamera(), world))
+                : null;
+        Optional<Eyes> eyes = options.eyes(pace, simulated == null ? Optional.empty() : simulated.camera());
         ServiceOptions unattended = ServiceOptions.of(settings);
         RoombaOptions read = options.read(pace, eyes, unattended.journal());
-        try (Clock clock = new SystemClock(pace);
-                RobotGuard guard = world == null && !noGuard ? new RobotGuard(robotPort) : null;
-                RoombaConverter roomba = connect(
-                        guard == null ? cable(robotPort) : guard.cable(cable(robotPort)),
-                        config(clock, pace, unattended.pressAge()),
-                        read)) {
-            if (guard != null) {
-                roomba.converter().addLink(guard.watch(roomba.session()));
-            }
-            Console console = new Console(roomba.converter(), System.in, System.out, System.err);
-            console.addCommand(ConsoleCommand.of(
-                            "press BUTTON",
-                            "presses a button of the external controller: " + String.join(", ", buttons(roomba)),
-                            (arguments, out) -> roomba.controller().press(event(roomba.models(), arguments.get(0))))
-                    .completing(before -> before.isEmpty() ? buttons(roomba) : List.of()));
-            console.evolvesBy(new OtherModels(roomba));
-            if (world != null) {
-                console.addCommand(ConsoleCommand.of(
-                                "robot COMMAND [ARGUMENT] [ARGUMENT] [ARGUMENT]",
-                                "gives the simulated robot's world a command: robot press clean, robot place 500 0 "
-                                        + "90, robot help",
-                                (arguments, out) -> out.println(world.execute(String.join(" ", arguments))))
-                        .completing(before -> before.isEmpty() ? WorldCommands.NAMES : WorldCommands.BUTTON_NAMES));
-            }
-            Page.open(PageOptions.of(settings), console, System.err, pictures(roomba, world, eyes));
-            showAtHome(roomba, console);
-            return service.run(console);
+        Clock clock = setup.closing(new SystemClock(pace));
+        RobotGuard guard = real == null || noGuard ? null : setup.closing(new RobotGuard(real));
+        IntFunction<Link> robot = cable(
+                simulated == null ? requireNonNull(real) : simulated.port().toString());
+        RoombaConverter roomba = setup.closing(
+                connect(guard == null ? robot : guard.cable(robot), config(clock, pace, unattended.pressAge()), read));
+        setup.uses(roomba.converter());
+        if (guard != null) {
+            roomba.converter().addLink(guard.watch(roomba.session()));
         }
+        setup.command(ConsoleCommand.of(
+                        "press BUTTON",
+                        "presses a button of the external controller: " + String.join(", ", buttons(roomba)),
+                        (arguments, out) -> roomba.controller().press(event(roomba.models(), arguments.get(0))))
+                .completing(before -> before.isEmpty() ? buttons(roomba) : List.of()));
+        setup.evolvesBy(new OtherModels(roomba));
+        if (simulated != null) {
+            setup.command(ConsoleCommand.of(
+                            "robot COMMAND [ARGUMENT] [ARGUMENT] [ARGUMENT]",
+                            "gives the simulated robot's world a command: robot press clean, robot place 500 0 "
+                                    + "90, robot help",
+                            (arguments, out) -> out.println(simulated.execute(String.join(" ", arguments))))
+                    .completing(before -> before.isEmpty() ? WorldCommands.NAMES : WorldCommands.BUTTON_NAMES));
+        }
+        setup.picture(above(roomba, simulated));
+        eyes.map(Eyes::picture).ifPresent(setup::picture);
+        setup.home(home -> home.vacuum(new RoombaVacuum(home, roomba.session(), roomba.converter())));
     }
 
     private static List<String> buttons(RoombaConverter roomba) {
@@ -251,25 +243,14 @@ final class RoombaCommand implements Callable<Integer> {
                 : RoombaConverter.connect(robot, config, how, read);
     }
 
-    /** The robot from above, and what its camera sees. */
-    private static List<Picture> pictures(RoombaConverter roomba, @Nullable SimulatedWorld world, Optional<Eyes> eyes) {
-        Picture above = world == null
+    private static Picture above(RoombaConverter roomba, @Nullable SimulatedWorld world) {
+        return world == null
                 ? DrivenPath.of(roomba.session())
                 : new Picture(
                         "Room",
                         "The room from above: walls, dock and marker, the way that the robot has driven, and where it is",
                         "image/svg+xml",
                         () -> Picture.View.of(world.drawn().getBytes(StandardCharsets.UTF_8)));
-        return Stream.concat(Stream.of(above), eyes.map(Eyes::picture).stream()).toList();
-    }
-
-    private void showAtHome(RoombaConverter roomba, Console console) {
-        MqttOptions.broker(settings).ifPresent(broker -> {
-            HomeAssistant home = new HomeAssistant(console, broker);
-            home.vacuum(new RoombaVacuum(home, roomba.session(), roomba.converter()));
-            home.open();
-            console.onEnd(reason -> home.close());
-        });
     }
 
     private SessionOptions robotOptions(double pace) {
