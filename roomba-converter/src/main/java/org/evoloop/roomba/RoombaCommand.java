@@ -8,12 +8,10 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.Callable;
 import java.util.function.IntFunction;
-import org.evoloop.config.CommandOptions;
 import org.evoloop.config.Mistakes;
+import org.evoloop.config.Option;
 import org.evoloop.config.Options;
 import org.evoloop.config.Settings;
 import org.evoloop.console.ConsoleCommand;
@@ -41,7 +39,6 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Option;
 
 /** The Roomba converter as a program: a robot, a converter and its console. */
 @Command(
@@ -49,27 +46,26 @@ import picocli.CommandLine.Option;
         description = "Gives a Roomba new functions: converts its events between the original and the new model.",
         footer = "%nctl NAME COMMAND gives a command to the one that was started with --name NAME (ctl --help).",
         mixinStandardHelpOptions = true)
-final class RoombaCommand implements Callable<Integer> {
-    /** The options that are declared where they are implemented. */
-    private static final Options OPTIONS =
-            Options.of().and(ServiceOptions.OPTIONS, PageOptions.OPTIONS, MqttOptions.OPTIONS);
-
+final class RoombaCommand {
     @Mixin
     private final ConverterOptions options = new ConverterOptions();
 
-    @Option(names = "--port", paramLabel = "PATH", description = "The robot's serial port, such as /dev/ttyUSB0.")
+    @CommandLine.Option(
+            names = "--port",
+            paramLabel = "PATH",
+            description = "The robot's serial port, such as /dev/ttyUSB0.")
     private @Nullable String port;
 
-    @Option(names = "--simulate", description = "Starts a simulated robot and connects to it.")
+    @CommandLine.Option(names = "--simulate", description = "Starts a simulated robot and connects to it.")
     private boolean simulate;
 
-    @Option(
+    @CommandLine.Option(
             names = "--speed",
             paramLabel = "N",
             description = "With --simulate: time passes N times as fast, 0.01 to 1000 (default: 1).")
     private @Nullable Double speed;
 
-    @Option(
+    @CommandLine.Option(
             names = "--room",
             paramLabel = "FILE",
             description = "With --simulate: the room in which the robot lives, a file as in simulator --help, or "
@@ -79,52 +75,39 @@ final class RoombaCommand implements Callable<Integer> {
 
     private Room world = Room.OPEN;
 
-    @Option(
+    @CommandLine.Option(
             names = "--mode-offset",
             paramLabel = "N",
             description = "What the robot adds to the mode it reports: 1 for some 600 models with Wi-Fi, else 0 "
                     + "(default: found out when it answers).")
     private @Nullable Integer modeOffset;
 
-    @Option(
+    @CommandLine.Option(
             names = "--no-guard",
             description = "With --port: does not start the guard process, which stops the robot when this program is "
                     + "killed or frozen. A simulated robot has none.")
     private boolean noGuard;
 
-    private Settings settings = OPTIONS.read(List.of(), Map.of());
-
-    /** The command, whose help and parser know all of its options. */
-    static CommandLine line(RoombaCommand command) {
-        return CommandOptions.show(new CommandLine(command), OPTIONS);
-    }
-
-    /**
-     * Reads and checks the command's options, from all sources.
-     *
-     * @param line the command's own, which has its options afterwards
-     * @throws org.evoloop.config.ConfigException if there are mistakes
-     */
-    Settings configure(CommandLine line, List<String> arguments) {
-        CommandOptions own = ConverterOptions.refined(new CommandOptions(line, Main::isUsersMistake))
-                .check("speed", text -> requireSpeed(Double.parseDouble(text)))
-                .placed(
+    /** Its options, those in its fields and those that are declared where they are implemented. */
+    Options options() {
+        return ConverterOptions.refined(Options.annotated(this))
+                .refined("speed", speeds -> speeds.checkedBy(text -> requireSpeed(Double.parseDouble(text))))
+                .refined(
                         "room",
-                        (folder, text) ->
-                                text.equals(RoomFile.LIVING_ROOM_NAME) ? text : CommandOptions.resolved(folder, text))
-                .placed("port", (folder, text) -> text.contains("/") ? CommandOptions.resolved(folder, text) : text)
-                .alternatives("port", "simulate");
-        settings = Options.named("roomba", "")
-                .and(own.and(OPTIONS))
+                        rooms -> rooms.placedBy((folder, text) ->
+                                text.equals(RoomFile.LIVING_ROOM_NAME) ? text : Option.resolved(folder, text)))
+                .refined(
+                        "port",
+                        ports -> ports.placedBy(
+                                (folder, text) -> text.contains("/") ? Option.resolved(folder, text) : text))
+                .alternatives("port", "simulate")
+                .and(ServiceOptions.OPTIONS, PageOptions.OPTIONS, MqttOptions.OPTIONS)
                 .checking((given, mistakes) -> {
-                    line.parseArgs(given.asArguments().toArray(String[]::new));
                     check(given.isOnlyShown(), mistakes);
                     if (given.isOnlyShown()) {
                         checkStart(ServiceOptions.of(given).journal(), mistakes);
                     }
-                })
-                .read(arguments, System.getenv());
-        return settings;
+                });
     }
 
     private void check(boolean onlyShown, Mistakes mistakes) {
@@ -172,8 +155,8 @@ final class RoombaCommand implements Callable<Integer> {
         }
     }
 
-    @Override
-    public Integer call() throws IOException, InterruptedException {
+    /** Runs the converter with options that have been read. */
+    int run(Settings settings) throws IOException, InterruptedException {
         return Program.named("roomba", "").converter(this::assemble).run(settings);
     }
 
@@ -197,14 +180,17 @@ final class RoombaCommand implements Callable<Integer> {
                 ? setup.closing(SimulatedWorld.inThisProcess(pace, options.wantsSimulatedCamera(), world))
                 : null;
         Optional<Eyes> eyes = options.eyes(pace, simulated == null ? Optional.empty() : simulated.camera());
-        ServiceOptions unattended = ServiceOptions.of(settings);
+        ServiceOptions unattended = ServiceOptions.of(setup.settings());
         RoombaOptions read = options.read(pace, eyes, unattended.journal());
         Clock clock = setup.closing(new SystemClock(pace));
         RobotGuard guard = real == null || noGuard ? null : setup.closing(new RobotGuard(real));
         IntFunction<Link> robot = cable(
                 simulated == null ? requireNonNull(real) : simulated.port().toString());
-        RoombaConverter roomba = setup.closing(
-                connect(guard == null ? robot : guard.cable(robot), config(clock, pace, unattended.pressAge()), read));
+        RoombaConverter roomba = setup.closing(connect(
+                guard == null ? robot : guard.cable(robot),
+                config(clock, pace, unattended.pressAge()),
+                read,
+                unattended.start()));
         setup.uses(roomba.converter());
         if (guard != null) {
             roomba.converter().addLink(guard.watch(roomba.session()));
@@ -235,10 +221,10 @@ final class RoombaCommand implements Callable<Integer> {
     }
 
     /** At a terminal a missing robot is an error at once; a service waits for it. */
-    private RoombaConverter connect(IntFunction<Link> robot, LoopConfig config, RoombaOptions read)
+    private RoombaConverter connect(IntFunction<Link> robot, LoopConfig config, RoombaOptions read, boolean patiently)
             throws InterruptedException {
         SessionOptions how = robotOptions(pace());
-        return ServiceOptions.of(settings).start()
+        return patiently
                 ? RoombaConverter.connectPatiently(robot, config, how, read)
                 : RoombaConverter.connect(robot, config, how, read);
     }
