@@ -16,7 +16,7 @@ import java.util.stream.Stream;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.journal.Journal;
 import org.evoloop.testkit.ConverterHarness;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
@@ -102,7 +102,7 @@ class GuideTest {
         for (String name : List.of("light-bulb.xml", "light-bulb.properties.txt")) {
             Files.copy(ROOT.resolve("models").resolve(name), models.resolve(name));
         }
-        XmiFile machines = XmiFile.read(models.resolve("light-bulb.xml"));
+        ModelFile machines = ModelFile.read(models.resolve("light-bulb.xml"));
         LightBulb lamp = new LightBulb();
         Path recording =
                 Files.createDirectories(folder.resolve("src/test/recordings")).resolve("sunday");

@@ -24,7 +24,7 @@ import org.evoloop.gpio.PinOptions;
 import org.evoloop.gpio.Pins;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.ManualClock;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.junit.jupiter.api.Test;
 
 /** The light bulb with Pi4J's mocked pins. */
@@ -55,7 +55,7 @@ class WiringTest {
 
     @Test
     void aButtonAndTwoLampsAreTheWholeLightBulb() {
-        XmiFile machines = XmiFile.read(Path.of("../models/light-bulb.xml"));
+        ModelFile machines = ModelFile.read(Path.of("../models/light-bulb.xml"));
         ModelPair models = new ModelPair(machines.pick("original"), machines.pick("new"));
         LightBulb lamp = new LightBulb();
         try (Pins pins = Pins.of(mock);

@@ -21,7 +21,7 @@ import org.evoloop.roomba.simulator.SimulatorCommand;
 import org.evoloop.service.Ctl;
 import org.evoloop.service.ErrorOutput;
 import org.evoloop.statemachine.ModelException;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import picocli.CommandLine;
 
 /** Runs the command line; a usage error prints one line and exits with status 2. */
@@ -86,7 +86,7 @@ public final class Main {
 
     /** Runs in parallel with parsing the options, which takes about as long. */
     private static void loadSlowParts() {
-        XmiFile.prepare();
+        ModelFile.prepare();
         try {
             SerialLink.prepare();
         } catch (LinkException | ExceptionInInitializerError reportedWhenALinkIsOpened) {

@@ -10,7 +10,7 @@ import org.evoloop.check.timing.TimeRules;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.xmi.ModelReference;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 
 /**
  * The models of a program, as its files have them.
@@ -35,7 +35,7 @@ public record ProgramModels(ModelPair pair, TimeRules time, List<String> offered
      * @throws ModelException if they, or the properties beside them, cannot be used
      */
     public static ProgramModels in(Path file) {
-        XmiFile machines = XmiFile.read(file);
+        ModelFile machines = ModelFile.read(file);
         ModelPair pair = new ModelPair(machines.pick("original"), machines.pick("new"));
         return new ProgramModels(pair, time(new ModelReference(file, Optional.of("new")), pair), machines.references());
     }
@@ -48,7 +48,7 @@ public record ProgramModels(ModelPair pair, TimeRules time, List<String> offered
     public static ProgramModels of(ModelReference original, ModelReference evolved) {
         ModelPair pair = new ModelPair(original.load(), evolved.load());
         return new ProgramModels(
-                pair, time(evolved, pair), XmiFile.read(evolved.file()).references());
+                pair, time(evolved, pair), ModelFile.read(evolved.file()).references());
     }
 
     private static TimeRules time(ModelReference evolved, ModelPair pair) {

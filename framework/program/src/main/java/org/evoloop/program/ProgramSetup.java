@@ -29,7 +29,7 @@ import org.evoloop.service.Service;
 import org.evoloop.service.ServiceOptions;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -134,7 +134,7 @@ public final class ProgramSetup {
         converter().addKnowledge(of.apply(models()));
         converter().addKnowledgeFactory(of);
         if (others == null && models != null) {
-            others = NewModels.offering(models.offered(), XmiFile::machine);
+            others = NewModels.offering(models.offered(), ModelFile::machine);
         }
     }
 
