@@ -238,7 +238,13 @@ public final class Options {
         return all().filter(option -> option.isCalled(name)).findFirst();
     }
 
-    List<String> names() {
+    /** The names of these options, without dashes; those that every program has are not among them. */
+    public List<String> names() {
+        return declared.stream().<String>map(Option::name).toList();
+    }
+
+    /** All names that a command line may have. */
+    List<String> allNames() {
         return Stream.concat(all().map(Option::name), Stream.of("help")).toList();
     }
 

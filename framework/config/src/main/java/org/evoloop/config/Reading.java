@@ -232,7 +232,7 @@ final class Reading {
                             + secret.get().file().name());
             return;
         }
-        String hint = Names.hint(name, options.names());
+        String hint = Names.hint(name, options.allNames());
         boolean similar = hint.startsWith("; did you mean");
         mistakes.at(place, message + (similar ? hint : "; see " + options.program() + " --help"));
     }
