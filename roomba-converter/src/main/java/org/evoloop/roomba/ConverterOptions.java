@@ -12,8 +12,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
-import org.evoloop.config.CommandOptions;
 import org.evoloop.config.Mistakes;
+import org.evoloop.config.Option;
+import org.evoloop.config.Options;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.journal.Journal;
 import org.evoloop.roomba.camera.CameraException;
@@ -28,39 +29,39 @@ import org.evoloop.xmi.ModelFile;
 import org.evoloop.xmi.ModelFiles;
 import org.evoloop.xmi.ModelReference;
 import org.jspecify.annotations.Nullable;
+import picocli.CommandLine;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Option;
 
 /** The options of the command line that choose how the converter works. */
 final class ConverterOptions {
     private static final double USUAL_SPOT_WAIT_SECONDS = 5;
 
-    @Option(
+    @CommandLine.Option(
             names = "--models",
             paramLabel = "FILE",
             description = "XMI file with the diagrams 'original' and 'new' (default: models/cleaning-robot.xml).")
     private @Nullable Path models;
 
-    @Option(
+    @CommandLine.Option(
             names = "--original",
             paramLabel = "FILE#NAME",
             description = "The device's model, by diagram name, machine name or id; with --new, instead of --models.")
     private @Nullable String original;
 
-    @Option(
+    @CommandLine.Option(
             names = "--new",
             paramLabel = "FILE#NAME",
             description = "The model that the owner wants; with --original, instead of --models.")
     private @Nullable String evolved;
 
-    @Option(
+    @CommandLine.Option(
             names = "--time-unit",
             paramLabel = "ms|s",
             description = "Unit of the models' time triggers that have a number without one; unless given, those are "
                     + "refused.")
     private @Nullable String timeUnit;
 
-    @Option(
+    @CommandLine.Option(
             names = "--start-point",
             paramLabel = "X,Y",
             split = ",",
@@ -69,14 +70,14 @@ final class ConverterOptions {
                             + "the program starts (default: 1000,500).")
     private double @Nullable [] startPoint;
 
-    @Option(
+    @CommandLine.Option(
             names = "--search-limit",
             paramLabel = "SECONDS",
             defaultValue = "300",
             description = "How long Move looks for the starting point before it stops (default: ${DEFAULT-VALUE}).")
     private double searchLimitSeconds;
 
-    @Option(
+    @CommandLine.Option(
             names = "--camera",
             paramLabel = "SOURCE",
             description =
@@ -88,14 +89,14 @@ final class ConverterOptions {
     @Mixin
     private final CameraOptions cameraOptions = new CameraOptions();
 
-    @Option(
+    @CommandLine.Option(
             names = "--spot-wait",
             paramLabel = "SECONDS",
             description = "How long SpotWait waits for a second press (default: " + USUAL_SPOT_WAIT_SECONDS
                     + "); a time trigger in the model, such as tm(2s), says it there.")
     private @Nullable Double spotWaitSeconds;
 
-    @Option(
+    @CommandLine.Option(
             names = "--function",
             paramLabel = "STATE=FUNCTION",
             description =
@@ -104,14 +105,14 @@ final class ConverterOptions {
                             + "that arriveSpot leaves, SpotWait in the one that timeout leaves.")
     private List<String> functions = List.of();
 
-    @Option(
+    @CommandLine.Option(
             names = "--clean-at",
             paramLabel = "[DAYS ]TIME",
             description = "When the converter raises schedule, such as 09:00 or 'MON,FRI 09:00'; can be repeated. The "
                     + "robot's own schedule is switched off then.")
     private List<String> cleanAt = List.of();
 
-    @Option(
+    @CommandLine.Option(
             names = "--quiet-hours",
             paramLabel = "FROM-UNTIL",
             description = "When the function QuietHours has what the timetable begins wait, such as 22:00-07:00.")
@@ -119,20 +120,26 @@ final class ConverterOptions {
 
     private @Nullable RobotModels read;
 
-    /**
-     * Refines these options: allowed values beyond their types, which are paths, and which exclude each other.
-     */
-    static CommandOptions refined(CommandOptions options) {
-        return options.check("time-unit", ModelReference::unit)
-                .check("search-limit", text -> requireWithin("--search-limit", Double.parseDouble(text), 1, 3600))
-                .check("spot-wait", text -> requireWithin("--spot-wait", Double.parseDouble(text), 0.1, 3600))
-                .check("camera", CameraSource::parse)
-                .check("clean-at", Timetable::parse)
-                .check("quiet-hours", QuietHours::parse)
-                .placed("original", CommandOptions::resolved)
-                .placed("new", CommandOptions::resolved)
-                .placed("camera", (folder, text) -> isFile(text) ? CommandOptions.resolved(folder, text) : text)
-                .shown("camera", CameraSource::masked)
+    /** Adds what annotations cannot say: allowed values beyond types, which values are paths, and alternatives. */
+    static Options refined(Options options) {
+        return options.refined("time-unit", units -> units.checkedBy(ModelReference::unit))
+                .refined(
+                        "search-limit",
+                        limits -> limits.checkedBy(
+                                text -> requireWithin("--search-limit", Double.parseDouble(text), 1, 3600)))
+                .refined(
+                        "spot-wait",
+                        waits -> waits.checkedBy(
+                                text -> requireWithin("--spot-wait", Double.parseDouble(text), 0.1, 3600)))
+                .refined(
+                        "camera",
+                        cameras -> cameras.checkedBy(CameraSource::parse)
+                                .placedBy((folder, text) -> isFile(text) ? Option.resolved(folder, text) : text)
+                                .shownBy(CameraSource::masked))
+                .refined("clean-at", times -> times.checkedBy(Timetable::parse))
+                .refined("quiet-hours", hours -> hours.checkedBy(QuietHours::parse))
+                .refined("original", models -> models.placedBy(Option::resolved))
+                .refined("new", models -> models.placedBy(Option::resolved))
                 .alternatives("camera", "start-point")
                 .alternatives("calibration", "field-of-view")
                 .alternatives("models", "original")

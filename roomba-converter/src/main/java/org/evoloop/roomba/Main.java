@@ -5,6 +5,7 @@ import java.io.PrintWriter;
 import java.nio.charset.Charset;
 import java.util.Collections;
 import java.util.List;
+import java.util.OptionalInt;
 import org.evoloop.config.ConfigException;
 import org.evoloop.config.Settings;
 import org.evoloop.config.UsersMistakes;
@@ -57,19 +58,24 @@ public final class Main {
         loading.setDaemon(true);
         loading.start();
         RoombaCommand command = new RoombaCommand();
-        CommandLine line = withHandlers(RoombaCommand.line(command));
-        Settings settings;
         try {
-            settings = command.configure(line, List.of(arguments));
+            Settings settings = command.options().read(List.of(arguments), System.getenv(), Main::isUsersMistake);
+            OptionalInt answered = settings.answer(System.out, System.err);
+            return answered.isPresent() ? answered.getAsInt() : command.run(settings);
         } catch (ConfigException mistakes) {
-            if (namesACommand(arguments)) {
-                return UsersMistakes.execute(everything(), arguments);
+            return namesACommand(arguments) ? UsersMistakes.execute(everything(), arguments) : refused(mistakes);
+        } catch (Exception failure) {
+            if (isUsersMistake(failure)) {
+                return refused(failure);
             }
-            line.getErr().println("error: " + mistakes.getMessage());
-            return CommandLine.ExitCode.USAGE;
+            failure.printStackTrace(ErrorOutput.stream());
+            return CommandLine.ExitCode.SOFTWARE;
         }
-        return settings.answer(System.out, System.err)
-                .orElseGet(() -> line.execute(settings.asArguments().toArray(String[]::new)));
+    }
+
+    private static int refused(Exception mistake) {
+        ErrorOutput.stream().println("error: " + mistake.getMessage());
+        return CommandLine.ExitCode.USAGE;
     }
 
     private static boolean namesACommand(String... arguments) {
@@ -89,7 +95,9 @@ public final class Main {
     }
 
     private static CommandLine everything() {
-        return withHandlers(RoombaCommand.line(new RoombaCommand())
+        return withHandlers(new RoombaCommand()
+                .options()
+                .commandLine()
                 .addSubcommand(new EdgeCommand())
                 .addSubcommand(new SimulatorCommand())
                 .addSubcommand(new DemoCommand())

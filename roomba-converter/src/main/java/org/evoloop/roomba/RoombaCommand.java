@@ -1,39 +1,36 @@
 package org.evoloop.roomba;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.Callable;
 import java.util.function.IntFunction;
-import java.util.stream.Stream;
-import org.evoloop.config.CommandOptions;
 import org.evoloop.config.Mistakes;
+import org.evoloop.config.Option;
 import org.evoloop.config.Options;
 import org.evoloop.config.Settings;
-import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
 import org.evoloop.journal.Journal;
 import org.evoloop.link.Link;
 import org.evoloop.link.SerialLink;
 import org.evoloop.link.SerialSettings;
 import org.evoloop.loop.LoopConfig;
-import org.evoloop.mqtt.HomeAssistant;
 import org.evoloop.mqtt.MqttOptions;
-import org.evoloop.page.Page;
 import org.evoloop.page.PageOptions;
 import org.evoloop.page.Picture;
+import org.evoloop.program.Program;
+import org.evoloop.program.ProgramSetup;
 import org.evoloop.roomba.session.RoombaSession;
 import org.evoloop.roomba.session.SessionOptions;
 import org.evoloop.roomba.simulator.SimulatorServer;
 import org.evoloop.roomba.simulator.WorldCommands;
 import org.evoloop.roomba.simulator.room.Room;
 import org.evoloop.roomba.simulator.room.RoomFile;
-import org.evoloop.service.Service;
 import org.evoloop.service.ServiceOptions;
 import org.evoloop.statemachine.Names;
 import org.evoloop.time.Clock;
@@ -42,7 +39,6 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Option;
 
 /** The Roomba converter as a program: a robot, a converter and its console. */
 @Command(
@@ -50,27 +46,26 @@ import picocli.CommandLine.Option;
         description = "Gives a Roomba new functions: converts its events between the original and the new model.",
         footer = "%nctl NAME COMMAND gives a command to the one that was started with --name NAME (ctl --help).",
         mixinStandardHelpOptions = true)
-final class RoombaCommand implements Callable<Integer> {
-    /** The options that are declared where they are implemented. */
-    private static final Options OPTIONS =
-            Options.of().and(ServiceOptions.OPTIONS, PageOptions.OPTIONS, MqttOptions.OPTIONS);
-
+final class RoombaCommand {
     @Mixin
     private final ConverterOptions options = new ConverterOptions();
 
-    @Option(names = "--port", paramLabel = "PATH", description = "The robot's serial port, such as /dev/ttyUSB0.")
+    @CommandLine.Option(
+            names = "--port",
+            paramLabel = "PATH",
+            description = "The robot's serial port, such as /dev/ttyUSB0.")
     private @Nullable String port;
 
-    @Option(names = "--simulate", description = "Starts a simulated robot and connects to it.")
+    @CommandLine.Option(names = "--simulate", description = "Starts a simulated robot and connects to it.")
     private boolean simulate;
 
-    @Option(
+    @CommandLine.Option(
             names = "--speed",
             paramLabel = "N",
             description = "With --simulate: time passes N times as fast, 0.01 to 1000 (default: 1).")
     private @Nullable Double speed;
 
-    @Option(
+    @CommandLine.Option(
             names = "--room",
             paramLabel = "FILE",
             description = "With --simulate: the room in which the robot lives, a file as in simulator --help, or "
@@ -80,52 +75,39 @@ final class RoombaCommand implements Callable<Integer> {
 
     private Room world = Room.OPEN;
 
-    @Option(
+    @CommandLine.Option(
             names = "--mode-offset",
             paramLabel = "N",
             description = "What the robot adds to the mode it reports: 1 for some 600 models with Wi-Fi, else 0 "
                     + "(default: found out when it answers).")
     private @Nullable Integer modeOffset;
 
-    @Option(
+    @CommandLine.Option(
             names = "--no-guard",
             description = "With --port: does not start the guard process, which stops the robot when this program is "
                     + "killed or frozen. A simulated robot has none.")
     private boolean noGuard;
 
-    private Settings settings = OPTIONS.read(List.of(), Map.of());
-
-    /** The command, whose help and parser know all of its options. */
-    static CommandLine line(RoombaCommand command) {
-        return CommandOptions.show(new CommandLine(command), OPTIONS);
-    }
-
-    /**
-     * Reads and checks the command's options, from all sources.
-     *
-     * @param line the command's own, which has its options afterwards
-     * @throws org.evoloop.config.ConfigException if there are mistakes
-     */
-    Settings configure(CommandLine line, List<String> arguments) {
-        CommandOptions own = ConverterOptions.refined(new CommandOptions(line, Main::isUsersMistake))
-                .check("speed", text -> requireSpeed(Double.parseDouble(text)))
-                .placed(
+    /** Its options, those in its fields and those that are declared where they are implemented. */
+    Options options() {
+        return ConverterOptions.refined(Options.annotated(this))
+                .refined("speed", speeds -> speeds.checkedBy(text -> requireSpeed(Double.parseDouble(text))))
+                .refined(
                         "room",
-                        (folder, text) ->
-                                text.equals(RoomFile.LIVING_ROOM_NAME) ? text : CommandOptions.resolved(folder, text))
-                .placed("port", (folder, text) -> text.contains("/") ? CommandOptions.resolved(folder, text) : text)
-                .alternatives("port", "simulate");
-        settings = Options.named("roomba", "")
-                .and(own.and(OPTIONS))
+                        rooms -> rooms.placedBy((folder, text) ->
+                                text.equals(RoomFile.LIVING_ROOM_NAME) ? text : Option.resolved(folder, text)))
+                .refined(
+                        "port",
+                        ports -> ports.placedBy(
+                                (folder, text) -> text.contains("/") ? Option.resolved(folder, text) : text))
+                .alternatives("port", "simulate")
+                .and(ServiceOptions.OPTIONS, PageOptions.OPTIONS, MqttOptions.OPTIONS)
                 .checking((given, mistakes) -> {
-                    line.parseArgs(given.asArguments().toArray(String[]::new));
                     check(given.isOnlyShown(), mistakes);
                     if (given.isOnlyShown()) {
                         checkStart(ServiceOptions.of(given).journal(), mistakes);
                     }
-                })
-                .read(arguments, System.getenv());
-        return settings;
+                });
     }
 
     private void check(boolean onlyShown, Mistakes mistakes) {
@@ -173,18 +155,9 @@ final class RoombaCommand implements Callable<Integer> {
         }
     }
 
-    @Override
-    public Integer call() throws IOException, InterruptedException {
-        try (Service service = Service.open(ServiceOptions.of(settings))) {
-            String robotPort = port;
-            if (robotPort != null) {
-                return converse(service, robotPort, null);
-            }
-            try (SimulatedWorld simulated =
-                    SimulatedWorld.inThisProcess(pace(), options.wantsSimulatedCamera(), world)) {
-                return converse(service, simulated.port().toString(), simulated);
-            }
-        }
+    /** Runs the converter with options that have been read. */
+    int run(Settings settings) throws IOException, InterruptedException {
+        return Program.named("roomba", "").converter(this::assemble).run(settings);
     }
 
     private double pace() {
@@ -200,40 +173,45 @@ final class RoombaCommand implements Callable<Integer> {
         return speed;
     }
 
-    private int converse(Service service, String robotPort, @Nullable SimulatedWorld world)
-            throws IOException, InterruptedException {
+    private void assemble(ProgramSetup setup) throws IOException, InterruptedException {
         double pace = pace();
-        Optional<Eyes> eyes = options.eyes(pace, world == null ? Optional.empty() : world.camera());
-        ServiceOptions unattended = ServiceOptions.of(settings);
+        String real = port;
+        SimulatedWorld simulated = real == null
+                ? setup.closing(SimulatedWorld.inThisProcess(pace, options.wantsSimulatedCamera(), world))
+                : null;
+        Optional<Eyes> eyes = options.eyes(pace, simulated == null ? Optional.empty() : simulated.camera());
+        ServiceOptions unattended = ServiceOptions.of(setup.settings());
         RoombaOptions read = options.read(pace, eyes, unattended.journal());
-        try (Clock clock = new SystemClock(pace);
-                RobotGuard guard = world == null && !noGuard ? new RobotGuard(robotPort) : null;
-                RoombaConverter roomba = connect(
-                        guard == null ? cable(robotPort) : guard.cable(cable(robotPort)),
-                        config(clock, pace, unattended.pressAge()),
-                        read)) {
-            if (guard != null) {
-                roomba.converter().addLink(guard.watch(roomba.session()));
-            }
-            Console console = new Console(roomba.converter(), System.in, System.out, System.err);
-            console.addCommand(ConsoleCommand.of(
-                            "press BUTTON",
-                            "presses a button of the external controller: " + String.join(", ", buttons(roomba)),
-                            (arguments, out) -> roomba.controller().press(event(roomba.models(), arguments.get(0))))
-                    .completing(before -> before.isEmpty() ? buttons(roomba) : List.of()));
-            console.evolvesBy(new OtherModels(roomba));
-            if (world != null) {
-                console.addCommand(ConsoleCommand.of(
-                                "robot COMMAND [ARGUMENT] [ARGUMENT] [ARGUMENT]",
-                                "gives the simulated robot's world a command: robot press clean, robot place 500 0 "
-                                        + "90, robot help",
-                                (arguments, out) -> out.println(world.execute(String.join(" ", arguments))))
-                        .completing(before -> before.isEmpty() ? WorldCommands.NAMES : WorldCommands.BUTTON_NAMES));
-            }
-            Page.open(PageOptions.of(settings), console, System.err, pictures(roomba, world, eyes));
-            showAtHome(roomba, console);
-            return service.run(console);
+        Clock clock = setup.closing(new SystemClock(pace));
+        RobotGuard guard = real == null || noGuard ? null : setup.closing(new RobotGuard(real));
+        IntFunction<Link> robot = cable(
+                simulated == null ? requireNonNull(real) : simulated.port().toString());
+        RoombaConverter roomba = setup.closing(connect(
+                guard == null ? robot : guard.cable(robot),
+                config(clock, pace, unattended.pressAge()),
+                read,
+                unattended.start()));
+        setup.uses(roomba.converter());
+        if (guard != null) {
+            roomba.converter().addLink(guard.watch(roomba.session()));
         }
+        setup.command(ConsoleCommand.of(
+                        "press BUTTON",
+                        "presses a button of the external controller: " + String.join(", ", buttons(roomba)),
+                        (arguments, out) -> roomba.controller().press(event(roomba.models(), arguments.get(0))))
+                .completing(before -> before.isEmpty() ? buttons(roomba) : List.of()));
+        setup.evolvesBy(new OtherModels(roomba));
+        if (simulated != null) {
+            setup.command(ConsoleCommand.of(
+                            "robot COMMAND [ARGUMENT] [ARGUMENT] [ARGUMENT]",
+                            "gives the simulated robot's world a command: robot press clean, robot place 500 0 "
+                                    + "90, robot help",
+                            (arguments, out) -> out.println(simulated.execute(String.join(" ", arguments))))
+                    .completing(before -> before.isEmpty() ? WorldCommands.NAMES : WorldCommands.BUTTON_NAMES));
+        }
+        setup.picture(above(roomba, simulated));
+        eyes.map(Eyes::picture).ifPresent(setup::picture);
+        setup.home(home -> home.vacuum(new RoombaVacuum(home, roomba.session(), roomba.converter())));
     }
 
     private static List<String> buttons(RoombaConverter roomba) {
@@ -243,33 +221,22 @@ final class RoombaCommand implements Callable<Integer> {
     }
 
     /** At a terminal a missing robot is an error at once; a service waits for it. */
-    private RoombaConverter connect(IntFunction<Link> robot, LoopConfig config, RoombaOptions read)
+    private RoombaConverter connect(IntFunction<Link> robot, LoopConfig config, RoombaOptions read, boolean patiently)
             throws InterruptedException {
         SessionOptions how = robotOptions(pace());
-        return ServiceOptions.of(settings).start()
+        return patiently
                 ? RoombaConverter.connectPatiently(robot, config, how, read)
                 : RoombaConverter.connect(robot, config, how, read);
     }
 
-    /** The robot from above, and what its camera sees. */
-    private static List<Picture> pictures(RoombaConverter roomba, @Nullable SimulatedWorld world, Optional<Eyes> eyes) {
-        Picture above = world == null
+    private static Picture above(RoombaConverter roomba, @Nullable SimulatedWorld world) {
+        return world == null
                 ? DrivenPath.of(roomba.session())
                 : new Picture(
                         "Room",
                         "The room from above: walls, dock and marker, the way that the robot has driven, and where it is",
                         "image/svg+xml",
                         () -> Picture.View.of(world.drawn().getBytes(StandardCharsets.UTF_8)));
-        return Stream.concat(Stream.of(above), eyes.map(Eyes::picture).stream()).toList();
-    }
-
-    private void showAtHome(RoombaConverter roomba, Console console) {
-        MqttOptions.broker(settings).ifPresent(broker -> {
-            HomeAssistant home = new HomeAssistant(console, broker);
-            home.vacuum(new RoombaVacuum(home, roomba.session(), roomba.converter()));
-            home.open();
-            console.onEnd(reason -> home.close());
-        });
     }
 
     private SessionOptions robotOptions(double pace) {

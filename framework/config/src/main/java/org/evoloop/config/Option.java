@@ -2,12 +2,15 @@ package org.evoloop.config;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import java.util.function.BinaryOperator;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Model.OptionSpec;
 
 /**
  * An option of a program, declared once: {@code --NAME VALUE} on the command line, {@code NAME: VALUE} in a file.
@@ -18,38 +21,17 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public final class Option<T> {
-    private final String name;
-    private final List<String> otherNames;
-    private final String label;
-    private final String description;
-    private final Function<String, T> reader;
-    private final boolean repeats;
-    private final @Nullable String usual;
-    private final BinaryOperator<String> placed;
-    private final UnaryOperator<String> shown;
-    private final Set<String> insteadOf;
+    private static final int LONG = "--".length();
 
-    private Option(
-            String name,
-            List<String> otherNames,
-            String label,
-            String description,
-            Function<String, T> reader,
-            boolean repeats,
-            @Nullable String usual,
-            BinaryOperator<String> placed,
-            UnaryOperator<String> shown,
-            Set<String> insteadOf) {
-        this.name = name;
-        this.otherNames = otherNames;
-        this.label = label;
-        this.description = description;
+    private final OptionSpec spec;
+    private final Function<String, T> reader;
+    private BinaryOperator<String> placed = (folder, text) -> text;
+    private UnaryOperator<String> shown = UnaryOperator.identity();
+    private Set<String> insteadOf = Set.of();
+
+    private Option(OptionSpec spec, Function<String, T> reader) {
+        this.spec = spec;
         this.reader = reader;
-        this.repeats = repeats;
-        this.usual = usual;
-        this.placed = placed;
-        this.shown = shown;
-        this.insteadOf = insteadOf;
     }
 
     /**
@@ -63,16 +45,11 @@ public final class Option<T> {
      */
     public static <T> Option<T> value(String name, String label, String description, Function<String, T> reader) {
         return new Option<>(
-                name,
-                List.of(),
-                label,
-                description,
-                reader,
-                false,
-                null,
-                Option::asWritten,
-                UnaryOperator.identity(),
-                Set.of());
+                described(name, description)
+                        .paramLabel(label)
+                        .type(String.class)
+                        .build(),
+                reader);
     }
 
     /** An option whose value is a path; in a file, a relative one is relative to the file's directory. */
@@ -97,30 +74,29 @@ public final class Option<T> {
                 .placedBy(Option::resolved);
     }
 
-    private static String asWritten(String folder, String text) {
-        return text;
-    }
-
-    private static String resolved(String folder, String text) {
-        return Path.of(folder).resolve(text).toString();
-    }
-
     /** An option that is on or off, and off unless it is given. */
     public static Option<Boolean> flag(String name, String description) {
-        return new Option<>(
-                name,
-                List.of(),
-                "",
-                description,
-                Option::onOrOff,
-                false,
-                "false",
-                Option::asWritten,
-                UnaryOperator.identity(),
-                Set.of());
+        return new Option<>(described(name, description).type(boolean.class).build(), Option::isOn);
     }
 
-    private static Boolean onOrOff(String text) {
+    /** An option of a command with picocli's annotations; picocli sets its values. */
+    static Option<?> annotated(OptionSpec spec) {
+        return spec.arity().max() == 0
+                ? new Option<>(spec, Option::isOn)
+                : new Option<>(spec, text -> text)
+                        .placedBy(spec.type() == Path.class ? Option::resolved : (folder, text) -> text);
+    }
+
+    private static OptionSpec.Builder described(String name, String description) {
+        return OptionSpec.builder("--" + name).description(description.replace("%", "%%"));
+    }
+
+    /** Resolves a path given relative to {@code folder}, so that it can be used from the working directory. */
+    public static String resolved(String folder, String path) {
+        return Path.of(folder).resolve(path).toString();
+    }
+
+    static Boolean isOn(String text) {
         return switch (text) {
             case "true", "True", "TRUE" -> true;
             case "false", "False", "FALSE" -> false;
@@ -129,20 +105,28 @@ public final class Option<T> {
         };
     }
 
-    /** A copy with additional names. */
-    public Option<T> alsoCalled(List<String> names) {
-        return new Option<>(
-                name, List.copyOf(names), label, description, reader, repeats, usual, placed, shown, insteadOf);
+    private <U> Option<U> copy(OptionSpec changed, Function<String, U> read) {
+        Option<U> copy = new Option<>(changed, read);
+        copy.placed = placed;
+        copy.shown = shown;
+        copy.insteadOf = insteadOf;
+        return copy;
     }
 
     /** A copy that takes any number of values: repeated on a command line, as a list in a file. */
     public Option<T> repeated() {
-        return new Option<>(name, otherNames, label, description, reader, true, usual, placed, shown, insteadOf);
+        return copy(
+                described(name(), description())
+                        .paramLabel(spec.paramLabel())
+                        .type(List.class)
+                        .auxiliaryTypes(String.class)
+                        .build(),
+                reader);
     }
 
     /** A copy with a default value. */
     public Option<T> withDefault(String value) {
-        return new Option<>(name, otherNames, label, description, reader, repeats, value, placed, shown, insteadOf);
+        return copy(OptionSpec.builder(spec).defaultValue(value).build(), reader);
     }
 
     /**
@@ -152,57 +136,74 @@ public final class Option<T> {
      *     directory
      */
     public Option<T> placedBy(BinaryOperator<String> resolve) {
-        return new Option<>(name, otherNames, label, description, reader, repeats, usual, resolve, shown, insteadOf);
+        Option<T> copy = copy(spec, reader);
+        copy.placed = resolve;
+        return copy;
     }
 
     /**
      * A copy with values that may contain a secret, which {@code --print-config} does not print.
      *
-     * @param shown takes a value, and returns it without the secret
+     * @param without takes a value, and returns it without the secret
      */
-    public Option<T> shownBy(UnaryOperator<String> shown) {
-        return new Option<>(name, otherNames, label, description, reader, repeats, usual, placed, shown, insteadOf);
+    public Option<T> shownBy(UnaryOperator<String> without) {
+        Option<T> copy = copy(spec, reader);
+        copy.shown = without;
+        return copy;
     }
 
     /** A copy that, when given on the command line, overrides these other options of the file. */
     public Option<T> insteadOf(Set<String> others) {
-        return new Option<>(
-                name, otherNames, label, description, reader, repeats, usual, placed, shown, Set.copyOf(others));
+        Option<T> copy = copy(spec, reader);
+        copy.insteadOf = Set.copyOf(others);
+        return copy;
+    }
+
+    /** A copy with another check of its values, which throws an {@link IllegalArgumentException} if it refuses one. */
+    public Option<T> checkedBy(Consumer<String> check) {
+        return copy(spec, text -> {
+            check.accept(text);
+            return reader.apply(text);
+        });
     }
 
     /** Its name, without dashes. */
     public String name() {
-        return name;
+        return spec.longestName().substring(LONG);
     }
 
-    /** The placeholder of its value; empty for a flag. */
+    /** Picocli's description of it. */
+    OptionSpec spec() {
+        return spec;
+    }
+
+    boolean isCalled(String name) {
+        return Arrays.asList(spec.names()).contains("--" + name);
+    }
+
     String label() {
-        return label;
+        return spec.paramLabel();
     }
 
     String description() {
-        return description;
+        return String.join(" ", spec.description()).replace("%%", "%");
     }
 
     boolean isFlag() {
-        return label.isEmpty();
+        return spec.arity().max() == 0;
     }
 
     boolean repeats() {
-        return repeats;
+        return spec.isMultiValue();
     }
 
     @Nullable
     String usual() {
-        return usual;
+        return isFlag() ? "false" : spec.defaultValue();
     }
 
     Set<String> insteadOf() {
         return insteadOf;
-    }
-
-    List<String> otherNames() {
-        return otherNames;
     }
 
     /** The value relative to the working directory, from {@code text} relative to {@code folder}. */

@@ -2,7 +2,6 @@ package org.evoloop.config;
 
 import java.io.PrintStream;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -21,12 +20,15 @@ public final class Settings {
     private final Options options;
     private final Map<Option<?>, Setting> given;
     private final Map<String, String> environment;
+    private final String help;
     private final Map<Path, String> secrets = new ConcurrentHashMap<>();
 
-    Settings(Options options, Map<Option<?>, Setting> given, Map<String, String> environment) {
+    /** @param help the answer to {@code --help}; empty if that was not asked for */
+    Settings(Options options, Map<Option<?>, Setting> given, Map<String, String> environment, String help) {
         this.options = options;
         this.given = given;
         this.environment = environment;
+        this.help = help;
     }
 
     /** The value of an option, or its default; empty if there is neither. */
@@ -63,8 +65,8 @@ public final class Settings {
      *     answer could not be written in full, as to a full disk
      */
     public OptionalInt answer(PrintStream out, PrintStream err) {
-        if (isOn(Options.HELP)) {
-            out.print(new Help(options));
+        if (!help.isEmpty()) {
+            out.print(help);
         } else if (isOnlyShown()) {
             out.print(new Printout(options, this));
         } else {
@@ -76,19 +78,6 @@ public final class Settings {
             return OptionalInt.of(1);
         }
         return OptionalInt.of(0);
-    }
-
-    /** All given options, as a command line: {@code --NAME=VALUE}, and {@code --NAME} for a flag that is on. */
-    public List<String> asArguments() {
-        List<String> arguments = new ArrayList<>();
-        given.forEach((option, setting) -> {
-            if (!option.isFlag()) {
-                setting.texts().forEach(text -> arguments.add("--" + option.name() + "=" + text));
-            } else if (setting.values().contains(true)) {
-                arguments.add("--" + option.name());
-            }
-        });
-        return arguments;
     }
 
     Optional<Setting> setting(Option<?> option) {

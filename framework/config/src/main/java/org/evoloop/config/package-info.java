@@ -2,10 +2,11 @@
  * A program's options, each declared once: read from the command line, a YAML file and the environment, checked as a
  * whole, and shown with the origin of each value.
  *
- * <p>{@code CommandLineWords} and {@code ConfigFile} turn arguments and file into entries, {@code Merge} lets the
- * former win and has each option read its values, {@code Mistakes} collects the errors.
+ * <p>Picocli reads the command line and prints the help. {@code ConfigFile} turns a file into entries, {@code Reading}
+ * has picocli read those that the command line does not have, as if they were in front of it, {@code Mistakes} collects
+ * the errors.
  *
- * <p>It uses the core's help with misspelt names, and SnakeYAML Engine.
+ * <p>It uses the core's help with misspelt names, picocli, and SnakeYAML Engine.
  */
 @NullMarked
 package org.evoloop.config;

@@ -29,9 +29,10 @@ class ConfigFuzzTest {
                 assertThat(refused).hasMessageContaining(file.toString());
                 return;
             }
-            Files.writeString(file, printed(settings));
+            String printed = printed(settings);
+            Files.writeString(file, printed);
             Settings again = FanOptions.read("--print-config", "--config", file.toString());
-            assertThat(again.asArguments()).containsAll(settings.asArguments());
+            assertThat(printed(again).replaceAll("(?m)  +# .*$", "")).isEqualTo(printed.replaceAll("(?m)  +# .*$", ""));
         } finally {
             Files.delete(file);
         }

@@ -12,9 +12,8 @@ final class FanOptions {
             Option.flag("simulate", "Simulates the fan.").insteadOf(Set.of("port"));
     static final Option<String> PORT =
             Option.value("port", "PATH", "Where the fan is.", text -> text).insteadOf(Set.of("simulate"));
-    static final Option<Integer> SPEED = Option.value("speed", "N", "How fast it turns.", FanOptions::speed)
-            .withDefault("3")
-            .alsoCalled(List.of("fan-speed"));
+    static final Option<Integer> SPEED =
+            Option.value("speed", "N", "How fast it turns.", FanOptions::speed).withDefault("3");
     static final Option<String> BREEZE_AT = Option.value("breeze-at", "TIME", "When a breeze begins.", text -> text)
             .repeated();
     static final Option<Path> JOURNAL = Option.path("journal", "DIR", "Where it keeps its journal (default: nowhere).");

@@ -24,7 +24,7 @@ class MistakesTest {
         Path file = Files.writeString(folder.resolve("fan.yaml"), """
                 spede: 3
                 speed: 12
-                fan-speed: 4
+                speed: 4
                 port: /dev/fan
                 simulate: true
                 models: gone.xml
@@ -44,7 +44,7 @@ class MistakesTest {
                                 "  there is no option --strat; did you mean start?",
                                 "  D/fan.yaml:1: there is no option spede; did you mean speed?",
                                 "  D/fan.yaml:2: speed is 12, allowed is 1 to 9",
-                                "  D/fan.yaml:3: fan-speed is given twice, first in line 2; keep one",
+                                "  D/fan.yaml:3: speed is given twice, first in line 2; keep one",
                                 "  D/fan.yaml:4: say which fan: port PATH or simulate",
                                 "  D/fan.yaml:6: models is D/gone.xml, which does not exist; correct the path",
                                 "  D/fan.yaml:9: a value is expected, not a mapping; an option takes text, "

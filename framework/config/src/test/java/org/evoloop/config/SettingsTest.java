@@ -42,7 +42,7 @@ class SettingsTest {
         assertThat(settings.get(FanOptions.PORT)).isEmpty();
         assertThat(settings.get(FanOptions.SPEED)).contains(5);
         assertThat(settings.all(FanOptions.BREEZE_AT)).containsExactly("1", "2");
-        assertThat(settings.asArguments()).contains("--simulate", "--speed=5", "--breeze-at=1", "--breeze-at=2");
+        assertThat(settings.isOn(FanOptions.SIMULATE)).isTrue();
     }
 
     @Test
@@ -126,8 +126,8 @@ class SettingsTest {
     @Test
     void helpNamesEveryOptionAndNothingElseIsLookedAt() {
         assertThat(answer(FanOptions.read("--help", "--speed", "12")))
-                .startsWith("usage: fan [--start] [--simulate] [--port PATH]")
-                .contains("Runs a fan.", "--breeze-at TIME", "--config FILE", "--print-config")
+                .startsWith("Usage: fan [-h] [--print-config] [--simulate] [--start]")
+                .contains("Runs a fan.", "--breeze-at=TIME", "--config=FILE", "--print-config")
                 .contains("Exit status");
         assertThat(FanOptions.read("--simulate").answer(System.out, System.err)).isEmpty();
     }

@@ -39,12 +39,9 @@ public final class DeviceProgram {
 
     /** The names of the options that a device file may have, as every program has them. */
     public static Set<String> options() {
-        List<String> names = new ArrayList<>();
-        ServiceOptions.OPTIONS
+        return Set.copyOf(ServiceOptions.OPTIONS
                 .and(PageOptions.OPTIONS, MqttOptions.OPTIONS)
-                .forEach((option, label, description) -> names.add(option.name()));
-        names.removeAll(List.of("config", "print-config"));
-        return Set.copyOf(names);
+                .names());
     }
 
     /**

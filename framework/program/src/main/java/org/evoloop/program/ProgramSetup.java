@@ -14,6 +14,7 @@ import org.evoloop.config.Settings;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
 import org.evoloop.console.NewModels;
+import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.ModelPair;
@@ -135,6 +136,16 @@ public final class ProgramSetup {
         if (others == null && models != null) {
             others = NewModels.offering(models.offered(), ModelFile::machine);
         }
+    }
+
+    /** Adds a controller whose events the console's user raises with {@code press EVENT}. */
+    public void controller(PushMonitor monitor) {
+        converter().addMonitor(monitor);
+        command(ConsoleCommand.naming(
+                "press EVENT",
+                "an event of the controller",
+                converter()::controllerEvents,
+                (event, more) -> monitor.press(event)));
     }
 
     /** Lets the converter evolve by other models than those that {@link #knowledge} offers. */

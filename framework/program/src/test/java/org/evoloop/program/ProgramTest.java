@@ -151,6 +151,18 @@ class ProgramTest {
     }
 
     @Test
+    void aControllersEventsAreTypedWithTheirBlanksAndOthersAreRefused() {
+        Program pressed = lamp().converter(setup -> {
+            setup.controller(new PushMonitor("Remote"));
+            setup.converter().addExecute(sending("switch"));
+            setup.knowledge(this::knowledge);
+        });
+        assertThat(run(pressed, "start\npress switch\npress dim\nexit\n")).isZero();
+
+        assertThat(errors()).isEqualTo("error: there is no dim; there is switch\n");
+    }
+
+    @Test
     void theModelsOfAnOptionWinAndAllMachinesOfTheirFileAreOffered() throws IOException {
         Path other = Files.writeString(
                 folder.resolve("other.md"),
@@ -183,11 +195,11 @@ class ProgramTest {
         assertThat(printed())
                 .contains(
                         "A lamp.",
-                        "--models FILE",
-                        "--colour NAME",
-                        "--journal DIR",
-                        "--page [HOST:]PORT",
-                        "--mqtt URL");
+                        "--models=FILE",
+                        "--colour=NAME",
+                        "--journal=DIR",
+                        "--page=[HOST:]PORT",
+                        "--mqtt=URL");
         assertThat(happened).isEmpty();
     }
 
