@@ -104,6 +104,8 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
             ledger.happensMeanwhile(found);
             ledger.settleDoubt();
             goTo(found);
+            // A function may have waited only for this certainty.
+            ledger.start(ledger.stay.number(), false);
         }
     }
 
