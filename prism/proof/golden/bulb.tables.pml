@@ -25,11 +25,18 @@ hidden int find_table[2 * DEVICE1 * SYSTEM1 * EVENTS1];
 hidden int timer_table[2 * DEVICE1 * SYSTEM1 * EVENTS1];
 hidden int fate_table[2 * DEVICE1 * SYSTEM1 * EVENTS1];
 hidden int knows_table[2 * DEVICE1 * SYSTEM1 * EVENTS1];
+hidden int function_table[2 * DEVICE1 * SYSTEM1 * EVENTS1];
+hidden int elsewhere_table[2 * DEVICE1 * SYSTEM1 * EVENTS1];
 hidden byte own_table[DEVICE1 * EVENTS1];
 hidden byte is_own_table[EVENTS1];
 hidden byte has_table[EVENTS1];
 hidden byte only_table[EVENTS1];
 inline choose_button() {
+  if
+  :: event = 1
+  fi
+}
+inline choose_asked() {
   if
   :: event = 1
   fi
@@ -102,9 +109,10 @@ acted_table[IX(0, 2, 2, 2)] = 32;
 react_table[IX(0, 2, 2, 2)] = 32;
 ask_table[IX(0, 2, 2, 2)] = 35;
 timer_table[IX(0, 0, 3, 0)] = 2;
+function_table[IX(0, 0, 3, 0)] = 1;
 find_table[IX(0, 1, 3, 0)] = 3;
 settle_table[IX(0, 1, 3, 0)] = 308;
-fate_table[IX(0, 1, 3, 0)] = 5;
+fate_table[IX(0, 1, 3, 0)] = 261;
 asked_table[IX(0, 1, 3, 1)] = 16777290;
 acted_table[IX(0, 1, 3, 1)] = 16777290;
 react_table[IX(0, 1, 3, 1)] = 16777290;
@@ -124,6 +132,7 @@ asked_table[IX(0, 2, 3, 2)] = 16777497;
 acted_table[IX(0, 2, 3, 2)] = 16777497;
 react_table[IX(0, 2, 3, 2)] = 16777497;
 ask_table[IX(0, 2, 3, 2)] = 51;
+function_table[IX(0, 0, 4, 0)] = 1;
 find_table[IX(0, 1, 4, 0)] = 4;
 settle_table[IX(0, 1, 4, 0)] = 324;
 fate_table[IX(0, 1, 4, 0)] = 3;

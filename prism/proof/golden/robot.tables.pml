@@ -34,11 +34,19 @@ hidden int find_table[2 * DEVICE1 * SYSTEM1 * EVENTS1];
 hidden int timer_table[2 * DEVICE1 * SYSTEM1 * EVENTS1];
 hidden int fate_table[2 * DEVICE1 * SYSTEM1 * EVENTS1];
 hidden int knows_table[2 * DEVICE1 * SYSTEM1 * EVENTS1];
+hidden int function_table[2 * DEVICE1 * SYSTEM1 * EVENTS1];
+hidden int elsewhere_table[2 * DEVICE1 * SYSTEM1 * EVENTS1];
 hidden byte own_table[DEVICE1 * EVENTS1];
 hidden byte is_own_table[EVENTS1];
 hidden byte has_table[EVENTS1];
 hidden byte only_table[EVENTS1];
 inline choose_button() {
+  if
+  :: event = 1
+  :: event = 2
+  fi
+}
+inline choose_asked() {
   if
   :: event = 1
   :: event = 2
@@ -300,6 +308,7 @@ asked_table[IX(0, 4, 2, 6)] = 32;
 acted_table[IX(0, 4, 2, 6)] = 32;
 react_table[IX(0, 4, 2, 6)] = 32;
 ask_table[IX(0, 4, 2, 6)] = 35;
+function_table[IX(0, 0, 3, 0)] = 1;
 find_table[IX(0, 1, 3, 0)] = 1;
 settle_table[IX(0, 1, 3, 0)] = 308;
 fate_table[IX(0, 1, 3, 0)] = 135;
@@ -517,6 +526,7 @@ acted_table[IX(0, 4, 4, 6)] = 64;
 react_table[IX(0, 4, 4, 6)] = 64;
 ask_table[IX(0, 4, 4, 6)] = 67;
 timer_table[IX(0, 0, 5, 0)] = 5;
+function_table[IX(0, 0, 5, 0)] = 1;
 find_table[IX(0, 1, 5, 0)] = 1;
 settle_table[IX(0, 1, 5, 0)] = 4436;
 fate_table[IX(0, 1, 5, 0)] = 203;
@@ -1064,6 +1074,7 @@ acted_table[IX(1, 4, 4, 6)] = 64;
 react_table[IX(1, 4, 4, 6)] = 64;
 ask_table[IX(1, 4, 4, 6)] = 67;
 timer_table[IX(1, 0, 5, 0)] = 5;
+function_table[IX(1, 0, 5, 0)] = 1;
 find_table[IX(1, 1, 5, 0)] = 1;
 settle_table[IX(1, 1, 5, 0)] = 4436;
 fate_table[IX(1, 1, 5, 0)] = 203;
@@ -1172,6 +1183,7 @@ asked_table[IX(1, 4, 5, 6)] = 80;
 acted_table[IX(1, 4, 5, 6)] = 80;
 react_table[IX(1, 4, 5, 6)] = 80;
 ask_table[IX(1, 4, 5, 6)] = 83;
+function_table[IX(1, 0, 3, 0)] = 1;
 find_table[IX(1, 1, 3, 0)] = 1;
 settle_table[IX(1, 1, 3, 0)] = 308;
 fate_table[IX(1, 1, 3, 0)] = 135;
@@ -1389,6 +1401,7 @@ acted_table[IX(1, 4, 6, 6)] = 96;
 react_table[IX(1, 4, 6, 6)] = 96;
 ask_table[IX(1, 4, 6, 6)] = 99;
 timer_table[IX(1, 0, 7, 0)] = 6;
+function_table[IX(1, 0, 7, 0)] = 1;
 find_table[IX(1, 1, 7, 0)] = 1;
 settle_table[IX(1, 1, 7, 0)] = 372;
 asked_table[IX(1, 1, 7, 1)] = 16785769;

@@ -33,8 +33,8 @@ def _what(searches: list[Row]) -> str:
     verdict = f"**{len(failed)} of them fail.**" if failed else "All hold."
     rows = [(f"`{key}`", text) for key, text in PROPERTIES.items()]
     adapters = "; ".join(f"*{adapter.name}*: {adapter.meaning}" for adapter in ADAPTERS)
-    return f"""The specification in `prism/proof` (Promela) has the core's inputs, with the tables of the paper's two pairs as
-`DecisionTable` compiles them from the model files, and an environment: a device that acts by itself, its adapter, the loop,
+    return f"""The specification in `prism/proof` (Promela) has the core's inputs, with the tables of the paper's two pairs, and
+of a fan whose boost needs the device somewhere, as `DecisionTable` compiles them from the model files, and an environment: a device that acts by itself, its adapter, the loop,
 people, functions, timers, crashes, swaps. [docs/proof.md](../../docs/proof.md) lists the assumptions. Spin visits every
 interleaving of each scene, without bitstate hashing. {len(searches)} searches, {states:,} states: {verdict}
 

@@ -116,6 +116,8 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
             } else if (doubt != null) {
                 ledger.followIfApart();
             }
+            // A function may have waited only for this certainty.
+            ledger.start(ledger.stay.number(), false);
         }
     }
 

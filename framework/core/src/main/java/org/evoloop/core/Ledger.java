@@ -168,7 +168,8 @@ final class Ledger {
 
     /**
      * Starts the function of the current state, if a visit other than {@code before} has begun and the state is new. If
-     * the state needs the device somewhere, it is started once the device is certainly there, and no fact waits.
+     * the state needs the device somewhere, it is started once the device is certainly there, no fact waits, and the
+     * converter is open.
      */
     void start(long before, boolean again) {
         State state = place.at().evolved();
@@ -178,7 +179,7 @@ final class Ledger {
             return;
         }
         stay.oweStart(begins || stay.isStartOwed());
-        if (stay.isStartOwed() && isWhereNeeded() && place.doubt() == null && !line.holdsFacts()) {
+        if (stay.isStartOwed() && open && isWhereNeeded() && place.doubt() == null && !line.holdsFacts()) {
             stay.oweStart(false);
             out.start(stay.number(), again);
         }

@@ -134,6 +134,32 @@ class DeviceStatesTest {
         assertThat(sent()).containsExactly("press", "press");
     }
 
+    /** The device could not say where it is, and is then reported to be where the record has it: nothing has its turn. */
+    @Test
+    void aFunctionThatWaitsForCertaintyStartsWhenThereIsSome() {
+        inGap();
+        door.press("press").begins().givenUp().asksInVain();
+        door.said.clear();
+
+        door.found("StopUp");
+
+        assertThat(door.core.hasNext()).isFalse();
+        assertThat(isStarted()).isTrue();
+    }
+
+    @Test
+    void noFunctionStartsBeforeTheConverterIsOpen() {
+        inGap();
+        door.press("press").begins().givenUp().asksInVain().input(new Input.Recovered(1));
+        door.said.clear();
+
+        door.found("StopUp");
+        assertThat(isStarted()).isFalse();
+
+        door.input(new Input.Opened(2));
+        assertThat(isStarted()).isTrue();
+    }
+
     @Test
     void aFindingElsewhereEndsTheVisit() {
         inGap();

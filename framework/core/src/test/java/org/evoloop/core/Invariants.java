@@ -349,7 +349,8 @@ final class Invariants {
         boolean quiet = after.open() && after.work() == null && !after.visit().over();
         return quiet
                         && !after.followOwed()
-                        && !after.visit().startOwed()
+                        && !(after.visit().startOwed()
+                                && (isInDoubt(after) || !after.waiting().isEmpty()))
                         && world.rules().table().isNew(after.at().evolved())
                         && world.functionOf != after.visit().number()
                 ? "function: that of " + after.at().evolved() + " does not run in " + after.visit()
