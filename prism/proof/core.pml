@@ -36,6 +36,8 @@
 /* A doubt: the state is unknown, or the device has reported it since, but the step's effect may still be reported. */
 #define UNSETTLED 1
 #define SETTLED 2
+/* In what is told: an unsettled one that remembers the decision which it interrupted. */
+#define REMEMBERING 3
 
 /* The number of steps sent since a doubt arose. */
 #define SAME 0
@@ -54,6 +56,11 @@
 #define TOGETHER 8
 #define QUESTION 9
 #define HEARD_FIRST 10
+#define NEEDED 11
+#define REACHED 12
+#define STARTS 13
+#define RUNS 14
+#define RESUMES 15
 
 typedef Pending {
   byte id;
@@ -83,11 +90,15 @@ byte doubt_source;
 byte doubt_steps;
 byte doubt_facts;
 byte doubt_fact[FACTS];
+int doubt_plan; /* the decision that it interrupted, if that leads to a new state which needs the device somewhere: Doubt.interrupted */
+byte doubt_system; /* the new model's state then */
 
 bit stepped; /* whether any step has been sent */
 bit owed; /* whether the new model has to follow the device once no fact waits: Ledger.followOwed */
 bit over = 1; /* whether the visit has ended */
 bit armed; /* whether the visit's timer runs */
+bit start_owed; /* whether the visit's function has yet to be started: Stay.startOwed */
+bit runs; /* whether that of a state which needs the device somewhere has been started */
 
 byte waiting;
 Pending line[PLACES];
@@ -118,10 +129,12 @@ hidden byte may_part;
 /* Scratch. */
 hidden Pending next_one;
 hidden byte i, j, k, place, at_state, before_state, target, number;
+hidden byte begun; /* visits that had begun before what happens now */
 hidden byte entries; /* visits that began during the current input */
 hidden byte kept_fact[FACTS];
-hidden byte noted_id, noted_event, noted_source, ended_kind, timer;
-hidden byte flag, sure, as_planned, goes_on, leaves, possible, was_sending;
+hidden byte noted_id, noted_event, noted_source, noted_system, ended_kind, timer;
+hidden int noted_plan;
+hidden byte flag, completes, sure, as_planned, goes_on, leaves, possible, was_sending;
 hidden int code;
 
 #define COPY(to, from_) to.id = from_.id; to.kind = from_.kind; to.what = from_.what; to.source = from_.source; \
@@ -138,6 +151,7 @@ hidden int code;
 #define AFTER(d) (((d) >> 4) & 15)
 #define STEP(d, n) (((d) >> (8 + 4 * (n))) & 15)
 #define HAS_TRANSITION(d) (((d) >> 24) & 1)
+#define WITHOUT_STEPS(d) ((d) & ((1 << 24) | 255))
 #define NOT_ACCEPTABLE 0
 #define EXISTING 1
 #define NEW 2
@@ -146,6 +160,7 @@ hidden int code;
 #define INQUIRY 5
 #define RESYNCHRONIZATION 6
 
+#define IS_TAKEN(d) (KIND(d) == EXISTING || KIND(d) == NEW)
 #define DECISION(table, device, system, event) table[IX(pair, device, system, event)]
 #define HAS_HAPPENED(one) (one.from != NONE || one.acted || one.kind == FOUND || one.kind == EVOLVED || one.kind == IN_DOUBT)
 #define MAY_BE_LOST(one) (!HAS_HAPPENED(one) && one.source == BUTTON)
@@ -165,7 +180,7 @@ inline decide() {
       at_state = device_at;
       code = DECISION(react_table, device_at, system_at, work.what);
       if
-      :: !work.later && work.own != NONE && KIND(DECISION(react_table, work.own, system_at, work.what)) == EXISTING &&
+      :: !work.later && work.own != NONE && IS_TAKEN(DECISION(react_table, work.own, system_at, work.what)) &&
          STEP(DECISION(react_table, work.own, system_at, work.what), 0) == NONE ->
         code = DECISION(react_table, work.own, system_at, work.what)
       :: else -> skip
@@ -186,6 +201,15 @@ inline find(state) {
 
 /* Whether the decision table has this pair of states, so that the new model would not follow if the device were found there. */
 #define STANDS_TOGETHER(device, system) (find_table[IX(pair, device, system, 0)] == system)
+
+/* DecisionTable.isWhereNeeded: whether a new state needs the device elsewhere. */
+#define NEEDS_IT_ELSEWHERE(device, system) elsewhere_table[IX(pair, device, system, 0)]
+#define IS_ELSEWHERE NEEDS_IT_ELSEWHERE(device_at, system_at)
+
+/* The function of the new model's state: none, one that runs wherever the device is, or one that needs it somewhere. */
+#define WHAT_RUNS function_table[IX(pair, 0, system_at, 0)]
+#define ANYWHERE 1
+#define SOMEWHERE 2
 
 /* ---- numbers: the lowest unused one, so that they do not grow without bound ---- */
 
@@ -263,7 +287,16 @@ inline make(kind_, what_, source_, visit_, acted_) {
   next_one.acted = acted_
 }
 
-inline ended() { ended_count++ }
+/* Ledger.ended: where something has ended with the device elsewhere than the new model's state needs it, the new model follows. */
+inline ended() {
+  ended_count++
+#ifndef A_DEVICE_ELSEWHERE_IS_NOT_FOLLOWED
+  ;
+  owed = owed || IS_ELSEWHERE
+#endif
+}
+
+inline not_heard() { ended_count++ }
 
 #ifdef FACTS_TAKE_UP_CONTROLLERS_PLACES
 #define PLACES_TAKEN waiting
@@ -286,7 +319,7 @@ inline enqueue(from_, own_) {
   if
   :: MAY_BE_LOST(next_one) && !(PLACES_TAKEN < CAPACITY || (!busy && PLACES_TAKEN < 1)) ->
     must(CROWDED_OUT, j >= CAPACITY);
-    ended()
+    not_heard()
   :: else -> append()
   fi
 }
@@ -312,12 +345,19 @@ inline doubt_step(number_, event, source) {
   doubt_event = event;
   doubt_source = source;
   doubt_facts = k;
+  doubt_plan = noted_plan;
+  doubt_system = (noted_plan != 0 -> noted_system : 0);
   i = 0;
   do
   :: i < FACTS -> doubt_fact[i] = (i < k -> kept_fact[i] : 0); i++
   :: else -> break
   od;
   ask_where()
+}
+
+inline forget_plan() {
+  doubt_plan = 0;
+  doubt_system = 0
 }
 
 inline no_doubt() {
@@ -327,6 +367,7 @@ inline no_doubt() {
   doubt_source = 0;
   doubt_steps = 0;
   doubt_facts = 0;
+  forget_plan();
   i = 0;
   do
   :: i < FACTS -> doubt_fact[i] = 0; i++
@@ -338,7 +379,9 @@ inline no_doubt() {
 inline settle_doubt() {
   if
   :: doubt == UNSETTLED && doubt_event == NONE -> no_doubt()
-  :: else -> doubt = (doubt == UNSETTLED -> SETTLED : doubt)
+  :: else ->
+    doubt = (doubt == UNSETTLED -> SETTLED : doubt);
+    forget_plan()
   fi
 }
 
@@ -441,7 +484,11 @@ inline can_have_happened(source, event, last) {
 
 /* ---- visits ---- */
 
-inline leave() { over = 1 }
+inline leave() {
+  over = 1;
+  start_owed = 0;
+  runs = 0
+}
 
 /* No function runs while the device is sent to where the new model is: the state is entered after that. */
 #define SETTLING ((busy && work.kind == EVOLVED) || line[0].kind == EVOLVED || line[1].kind == EVOLVED || line[2].kind == EVOLVED)
@@ -486,7 +533,7 @@ inline enter_as_left() {
 
 inline enter_again(kind_) {
   if
-  :: over && open && !(waiting > 0 && line[0].attempts > 0) && !SETTLING ->
+  :: over && open && !(waiting > 0 && line[0].attempts > 0) && !SETTLING && !IS_ELSEWHERE ->
     if
     :: kind_ == EVOLVED -> enter_as_left()
     :: else -> enter()
@@ -495,14 +542,48 @@ inline enter_again(kind_) {
   fi
 }
 
+/*
+ * Ledger.start: starts the function of a visit that began after `begun` visits. If it needs the device somewhere, it is started
+ * once the record is certain, no fact waits, the device is there, and the converter is open.
+ */
+inline start_function() {
+  count_facts();
+  start_owed = start_owed || (entries != begun && WHAT_RUNS == SOMEWHERE);
+  if
+#ifdef A_FUNCTION_IS_STARTED_AT_ONCE
+  :: start_owed ->
+#else
+  :: start_owed && open && !(entries != begun && WHAT_RUNS == ANYWHERE) && !IS_ELSEWHERE && doubt != UNSETTLED && j == 0 ->
+#endif
+    must(STARTS, !IS_ELSEWHERE && doubt != UNSETTLED && j == 0);
+    start_owed = 0;
+    runs = WHAT_RUNS == SOMEWHERE
+  :: else -> skip
+  fi
+#ifdef A_START_THAT_HAS_TO_WAIT_IS_FORGOTTEN
+  ;
+  start_owed = 0
+#endif
+}
+
+/* The number of facts that wait, in `j`. */
+inline count_facts() {
+  i = 0;
+  j = 0;
+  do
+  :: i < waiting -> j = j + HAS_HAPPENED(line[i]); i++
+  :: else -> break
+  od
+}
+
 /* ---- for trails and for the comparison with the real core ---- */
 
 #define TELL_PENDING(one) printf(" [%d %d %d %d %d %d %d %d %d %d]", one.id, one.kind, one.what, one.source, one.visit, \
   one.from, one.own, one.attempts, one.acted, one.later)
 
 inline tell_state() {
-  printf("= %d %d %d %d %d %d %d %d", open, device_at, system_at, pair, over, armed, stepped, owed);
-  printf(" doubt %d %d %d %d", doubt, doubt_id, doubt_steps, doubt_facts);
+  printf("= %d %d %d %d %d %d %d %d", open, device_at, system_at, pair, over, armed, stepped, owed + 2 * start_owed);
+  printf(" doubt %d %d %d %d", (doubt_plan != 0 -> REMEMBERING : doubt), doubt_id, doubt_steps, doubt_facts);
   printf(" work %d %d %d %d %d %d", busy, decided, plan, stage, taken, facts);
   TELL_PENDING(work);
   k = 0;

@@ -4,6 +4,7 @@
  */
 
 inline opened() {
+  begun = entries;
   open = 1;
   ask_where();
   if
@@ -12,7 +13,8 @@ inline opened() {
     if
     :: !over -> leave(); enter_as_left()
     :: else -> enter()
-    fi
+    fi;
+    start_function()
   fi
 }
 
@@ -32,7 +34,7 @@ inline closing() {
 #else
       if
       :: HAS_HAPPENED(line[k]) -> k++
-      :: else -> take_out(k); ended()
+      :: else -> take_out(k); not_heard()
       fi
 #endif
     :: else -> break
@@ -51,13 +53,11 @@ inline recovered() {
 #endif
   if
   :: busy && stage == SENDING ->
-    keep_facts();
-    note_step();
-    conclude(true);
-    doubt_step(noted_id, noted_event, noted_source)
+    abandon();
 #ifdef AN_END_LEAVES_NO_DOUBT
-    ; no_doubt()
+    no_doubt();
 #endif
+    start_function()
   :: busy && stage != SENDING && !decided ->
     COPY(next_one, work);
     end_work();
@@ -95,11 +95,15 @@ inline recovered() {
 inline observed_heard(event, source_, visit_, acted_) {
   make(HEARD, event, source_, visit_, acted_);
   if
-  :: !knows_table[IX(pair, 0, 0, next_one.what)] && (open || next_one.acted) -> not_taken()
+  :: !knows_table[IX(pair, 0, 0, next_one.what)] && (open || next_one.acted) -> end_unheard()
   :: (knows_table[IX(pair, 0, 0, next_one.what)] || !(open || next_one.acted)) &&
      (next_one.acted || (is_own_table[next_one.what] && next_one.source != BUTTON)) -> follow_device()
   :: knows_table[IX(pair, 0, 0, next_one.what)] && !next_one.acted && is_own_table[next_one.what] &&
-     next_one.source == BUTTON -> not_taken()
+     next_one.source == BUTTON ->
+    if
+    :: open -> end_unheard()
+    :: else -> not_taken()
+    fi
   :: else -> asked_for()
   fi
 }
@@ -116,14 +120,24 @@ inline asked_for() {
   fi
 }
 
-/* The occurrence was observed, and ends at once. */
+/* The occurrence was observed, and is refused. */
 inline not_taken() {
+  observe();
+  not_heard()
+}
+
+/* Arrivals.endAtOnce */
+inline end_unheard() {
+  observe();
+  ended()
+}
+
+inline observe() {
   observed_count++;
 #ifdef COUNTED
   counted++;
 #endif
-  printf("new 0\n");
-  ended()
+  printf("new 0\n")
 }
 
 /* Arrivals.follow */
@@ -156,7 +170,7 @@ inline follow_device() {
 /* `late`: it was found before the last step was sent. */
 inline observed_found(state, late) {
   if
-  :: late && stepped -> not_taken()
+  :: late && stepped -> end_unheard()
   :: else ->
     happens_meanwhile(FOUND_IN + (state));
     settle_doubt();
@@ -169,7 +183,9 @@ inline observed_found(state, late) {
 #endif
       enqueue(at_state, NONE)
     :: else -> skip
-    fi
+    fi;
+    begun = entries;
+    start_function()
   fi
 }
 

@@ -52,9 +52,11 @@ inline after() {
 #else
   must(RECORD, untold > 0 || doubt == UNSETTLED || device_at == device);
 #endif
-  must(STUCK, !(open && waiting == 0 && !busy && over));
+  must(STUCK, !(open && waiting == 0 && !busy && over && !owed));
   may_be_apart = ((may_be_apart && !owed) || may_part) && !STANDS_TOGETHER(device_at, system_at);
   must(TOGETHER, !open || waiting > 0 || busy || owed || doubt == UNSETTLED || STANDS_TOGETHER(device_at, system_at) || may_be_apart);
+  must(NEEDED, !open || waiting > 0 || busy || owed || doubt == UNSETTLED || !IS_ELSEWHERE);
+  must(RUNS, !open || waiting > 0 || busy || owed || doubt == UNSETTLED || WHAT_RUNS != SOMEWHERE || runs);
   tell_state();
   tell_violation();
   assert(violated == 0)

@@ -27,7 +27,9 @@ inline anew() {
   stepped = 0;
   owed = 0;
   over = 1;
-  armed = 0
+  armed = 0;
+  start_owed = 0;
+  runs = 0
 }
 
 mtype = { OPENED, CLOSING, CLOSED, RECOVERED, HEARD_OF, ASKED_OF, FOUND_AT, TIMER_DUE, READY_FOR, PLANNED, DISMISSED, SENDING_IT,

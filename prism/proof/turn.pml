@@ -18,16 +18,6 @@ inline ready() {
   od
 }
 
-/* The number of facts that wait, in `j`. */
-inline count_facts() {
-  i = 0;
-  j = 0;
-  do
-  :: i < waiting -> j = j + HAS_HAPPENED(line[i]); i++
-  :: else -> break
-  od
-}
-
 /* Arrivals.owedFinding: the new model follows to the device's state if it is not where it goes together with that. */
 inline find_owed() {
   owed = 0;
@@ -75,10 +65,12 @@ inline give_turn() {
 
 /* It may be what the end of the present visit has waited for. */
 inline end_at_once() {
+  begun = entries;
   ended_kind = line[place].kind;
   take_out(place);
   ended();
-  enter_again(ended_kind)
+  enter_again(ended_kind);
+  start_function()
 }
 
 inline end_work() {
@@ -125,7 +117,9 @@ inline keep_doubts_facts() {
 inline note_step() {
   noted_id = work.id;
   noted_event = NEXT_STEP;
-  noted_source = step_source
+  noted_source = step_source;
+  noted_system = system_at;
+  noted_plan = (KIND(plan) == NEW -> plan : 0)
 }
 
 /* A plan that was made when the device was in `start` and the system in `system`. */
@@ -141,7 +135,11 @@ inline planned(id_, plan_, start, system) {
 #endif
     :: else ->
       must(HEARD_FIRST, HAS_HAPPENED(work) || j == 0);
+#ifdef A_NEW_STATE_SENDS_NOTHING
+      plan = (KIND(plan_) == NEW -> WITHOUT_STEPS(plan_) : plan_);
+#else
       plan = plan_;
+#endif
       decided = 1;
       late = work.later;
       taken = 0;
@@ -237,6 +235,7 @@ inline took(in_order) {
     :: else -> contradicted()
     fi
   :: else ->
+    noted_plan = 0;
     doubt_step(noted_id, noted_event, noted_source)
 #ifdef THE_ORDER_IS_NEVER_IN_DOUBT
     ; no_doubt()
@@ -292,7 +291,9 @@ inline took_late(id_, in_order) {
 /* ---- ends ---- */
 
 inline arrive() {
+  begun = entries;
   system_at = AFTER(plan);
+  must(REACHED, KIND(plan) != NEW || work.from != NONE || !IS_ELSEWHERE);
   owed = owed || (work.from != NONE && late && !STANDS_TOGETHER(device_at, system_at));
   ended_kind = work.kind;
   flag = KIND(plan) == IMPOSSIBLE && HAS_TRANSITION(plan);
@@ -308,15 +309,30 @@ inline arrive() {
   :: flag -> leave()
   :: else -> skip
   fi;
-  enter_again(ended_kind)
+  enter_again(ended_kind);
+  start_function()
 }
 
 inline conclude(fails) {
+  end_with(fails);
+  start_function()
+}
+
+inline end_with(fails) {
+  begun = entries;
   ended_kind = work.kind;
   may_part = may_part || fails;
   end_work();
   ended();
   enter_again(ended_kind)
+}
+
+/* The occurrence in progress is given up while its step is being sent, which may still have its effect. */
+inline abandon() {
+  keep_facts();
+  note_step();
+  end_with(true);
+  doubt_step(noted_id, noted_event, noted_source)
 }
 
 /* The plan has been overtaken: the occurrence is decided again, before all others. */
@@ -389,16 +405,34 @@ inline failed(id_) {
 inline given_up(id_) {
   if
   :: busy && work.id == (id_) && stage == SENDING ->
-    keep_facts();
-    note_step();
-    conclude(true);
-    doubt_step(noted_id, noted_event, noted_source)
+    abandon();
 #ifdef GIVING_UP_LEAVES_NO_DOUBT
-    ; no_doubt()
+    no_doubt();
 #endif
+    start_function()
   :: busy && work.id == (id_) && stage != SENDING -> break_off()
   :: else -> skip
   fi
+}
+
+/* Conversion.complete: whether the interrupted plan has come to its end, and the new model has not moved since. */
+#define COMPLETES(state) (doubt_plan != 0 && doubt_system == system_at && !NEEDS_IT_ELSEWHERE(state, AFTER(doubt_plan)))
+#ifdef A_DOUBT_FORGETS_ITS_DECISION
+#define DOES_NOT_COMPLETE true
+#else
+#define DOES_NOT_COMPLETE (!completes)
+#endif
+
+/* The transition is taken after all, and nothing is sent. */
+inline complete(state) {
+  device_at = state;
+  if
+  :: LEAVES(noted_plan) -> leave()
+  :: else -> skip
+  fi;
+  plan = WITHOUT_STEPS(noted_plan);
+  decided = 1;
+  arrive()
 }
 
 /* The result of a query of the device's state; `state` is NONE if it is unknown. */
@@ -416,11 +450,16 @@ inline located(id_, state) {
       directive = LOCATE
     :: doubt != UNSETTLED || (facts > 0 && work.attempts >= MOST_ATTEMPTS) || (facts == 0 && (state) == NONE) -> conclude(false)
     :: else ->
+      noted_plan = doubt_plan;
+      completes = COMPLETES(state);
       happens_meanwhile(FOUND_IN + (state));
       settle_doubt();
       if
-      :: (state) == device_at -> conclude(false)
-      :: else ->
+#ifndef A_DOUBT_FORGETS_ITS_DECISION
+      :: completes -> complete(state)
+#endif
+      :: DOES_NOT_COMPLETE && (state) == device_at -> conclude(false)
+      :: DOES_NOT_COMPLETE && (state) != device_at ->
         find(state);
         if
         :: LEAVES(code) -> leave()
@@ -434,7 +473,8 @@ inline located(id_, state) {
         plan = code;
         decided = 1;
         arrive()
-      fi
+      fi;
+      must(RESUMES, !completes || system_at == AFTER(noted_plan))
     fi
   fi
 }
@@ -445,6 +485,7 @@ inline changed() { ask_where() }
 
 #define FATE fate_table[IX(pair, device_at, system_at, 0)]
 #define POSSIBLE(f) ((f) & 1)
+#define FOLLOWS(f) (((f) >> 8) & 1)
 #define FATE_SYSTEM(f) (((f) >> 1) & 15)
 #define FATE_SENDS(f) (((f) >> 5) & 1)
 #define KEEPS_TIMER(f) (((f) >> 6) & 1)
@@ -471,7 +512,7 @@ inline evolved() {
     system_at = FATE_SYSTEM(code);
 #endif
 #ifndef A_SWAP_LEAVES_THE_STATES_APART
-    owed = owed || (!FATE_SENDS(code) && !may_part && !STANDS_TOGETHER(device_at, system_at));
+    owed = owed || FOLLOWS(code);
 #endif
     k = 0;
     do
@@ -494,7 +535,7 @@ inline evolved() {
     fi;
     armed = (KEEPS_TIMER(code) -> armed : timer_table[IX(pair, 0, system_at, 0)] != NONE);
     if
-    :: !goes_on && !FATE_SENDS(code) -> enter_as_left()
+    :: !goes_on && !FATE_SENDS(code) -> begun = entries; enter_as_left(); start_function()
     :: else -> skip
     fi;
     if

@@ -279,7 +279,7 @@ proctype Functions() {
 end:
   do
   :: atomic { raises_left > 0 && ROOM && !(over && system_at == INITIAL_SYSTEM && !stepped && !open) -> choose_raised(); choose_visit(); WHEN(true, raises_left--; printf("> raise %d %d\n", event, visit); observed_heard(event, FUNCTION, visit, 0)); event = 0; visit = 0 }
-  :: atomic { asks_left > 0 && ROOM && !(over && system_at == INITIAL_SYSTEM && !stepped && !open) -> choose_button(); choose_visit(); WHEN(true, asks_left--; printf("> ask %d %d\n", event, visit); observed_asked(event, visit)); event = 0; visit = 0 }
+  :: atomic { asks_left > 0 && ROOM && !(over && system_at == INITIAL_SYSTEM && !stepped && !open) -> choose_asked(); choose_visit(); WHEN(true, asks_left--; printf("> ask %d %d\n", event, visit); observed_asked(event, visit)); event = 0; visit = 0 }
   od
 }
 

@@ -11,15 +11,21 @@ PROPERTIES = {
     "visit": "no occurrence of an earlier visit is begun",
     "again": "after a crash no step that was begun is sent a second time, and no plan is made again",
     "sent": "a step is only sent when the record is at the step's source state",
-    "stuck": "when nothing waits, a visit is in progress",
+    "stuck": "when nothing waits, a visit is in progress, or the new model is about to follow the device",
     "room": "a controller's event is lost only when the queue is full of controllers' events",
     "together": "when nothing is left to do, device and new model go together, unless something failed",
     "question": "nothing else has its turn before the device is asked where it is",
     "heard": "no request has its turn, or is decided, while a fact waits",
+    "needed": "when nothing is left to do, the device is where the new model's state needs it, even after a failure",
+    "reached": "a request that leads to a state which needs the device somewhere has taken the device there",
+    "starts": "the function of such a state is started only while the device is there for certain, and no fact waits",
+    "runs": "when nothing is left to do, the function of such a state runs",
+    "resumes": "a transition to such a state whose last answer was lost is taken if the device is found there",
     "drains": "when nothing more happens, the queue drains",
     "swaps": "every swap ends: it is completed or abandoned",
 }
-NUMBERS = ("", "record", "once", "visit", "again", "sent", "stuck", "room", "together", "question", "heard")
+NUMBERS = ("", "record", "once", "visit", "again", "sent", "stuck", "room", "together", "question", "heard",
+           "needed", "reached", "starts", "runs", "resumes")  # fmt: skip
 """The properties, by their numbers in prism/proof/core.pml."""
 
 
@@ -57,7 +63,22 @@ BULB = Pair(
         "--timer", "wait=timeout",
     ),
 )  # fmt: skip
-PAIRS = (ROBOT, BULB)
+FAN = Pair(
+    "fan",
+    "fan",
+    (
+        "--original", "prism/proof/fan/original.scxml",
+        "--new", "prism/proof/fan/new.scxml",
+        "--next", "prism/proof/fan/original.scxml",
+        "--mapping", "prism/proof/fan/mapping.txt",
+        "--sendable", "power",
+        "--pressed", "boost",
+        "--spontaneous", "power",
+        "--timer", "Boost=timeout",
+    ),
+)  # fmt: skip
+PAPERS_PAIRS = (ROBOT, BULB)
+PAIRS = (*PAPERS_PAIRS, FAN)
 
 ACTS = {
     "PRESSES": "events of a controller",
@@ -75,13 +96,16 @@ ACTS = {
 
 Acts = dict[str, int]
 
+_CRASHES: Acts = {"PRESSES": 2, "OWNS": 1, "RAISES": 1, "ENDS": 2}
+_FEWER: Acts = {"PRESSES": 1, "OWNS": 1, "RAISES": 1, "ENDS": 2}
+
 SCENES: tuple[Acts, ...] = (
     {"PRESSES": 3, "OWNS": 3},
     {"PRESSES": 2, "OWNS": 2, "GIVE_UPS": 2},
     {"PRESSES": 2, "OWNS": 2, "STOPS": 2},
     {"PRESSES": 2, "OWNS": 1, "JUMPS": 1, "GIVE_UPS": 1},
     {"PRESSES": 3, "OWNS": 1, "RAISES": 2},
-    {"PRESSES": 2, "OWNS": 1, "RAISES": 1, "ENDS": 2},
+    _CRASHES,
     {"PRESSES": 2, "OWNS": 1, "RAISES": 1, "SWAPS": 2},
     {"PRESSES": 1, "OWNS": 1, "ASKS": 1, "FAILS": 1, "GIVE_UPS": 1, "CHANGES": 1},
     {"PRESSES": 1, "OWNS": 1, "GIVE_UPS": 1, "ENDS": 1, "SWAPS": 1},
@@ -92,6 +116,12 @@ LIVE_SCENES: tuple[tuple[str, Acts], ...] = (
     ("drains", {"PRESSES": 1, "OWNS": 1, "RAISES": 1, "FAILS": 1, "ENDS": 1}),
     ("swaps", {"PRESSES": 2, "OWNS": 1, "GIVE_UPS": 1, "SWAPS": 2}),
 )
+
+
+def scenes(pair: Pair) -> list[tuple[str, Acts]]:
+    """What is searched, with the property if it is only one. Two presses of the fan are up to four steps, too many with crashes."""
+    safe = [_FEWER if pair is FAN and acts == _CRASHES else acts for acts in SCENES]
+    return [*(("", acts) for acts in safe), *LIVE_SCENES]
 
 
 @dataclass(frozen=True)
@@ -154,6 +184,11 @@ MUTANTS = (
     Mutant("A_REQUEST_THAT_HAS_BEGUN_IS_DECIDED_BEFORE_FACTS", "a request gives way to a fact until it is decided", "heard", ROBOT, {"PRESSES": 1, "OWNS": 1}),
     Mutant("A_FACT_THAT_FAILS_MOVES_THE_DEVICE_ONLY", "the new model follows a fact that fails before it is decided", "together", ROBOT, {"OWNS": 1, "FAILS": 1}),
     Mutant("A_SWAP_LEAVES_THE_STATES_APART", "after a swap the new model follows what the device has done", "together", BULB, {"PRESSES": 1, "OWNS": 1, "SWAPS": 1}),
+    Mutant("A_NEW_STATE_SENDS_NOTHING", "a new state that needs the device somewhere takes it there", "reached", FAN, {"PRESSES": 1}, in_core=False),
+    Mutant("A_DEVICE_ELSEWHERE_IS_NOT_FOLLOWED", "what ends with the device elsewhere has the new model follow", "needed", FAN, {"PRESSES": 1, "FAILS": 1}),
+    Mutant("A_FUNCTION_IS_STARTED_AT_ONCE", "the start of a function waits until the device is there for certain", "starts", FAN, {"PRESSES": 1, "GIVE_UPS": 1}, in_core=False),
+    Mutant("A_START_THAT_HAS_TO_WAIT_IS_FORGOTTEN", "a start that has to wait is owed", "runs", FAN, {"PRESSES": 1, "GIVE_UPS": 1}),
+    Mutant("A_DOUBT_FORGETS_ITS_DECISION", "a doubt remembers the decision that it interrupted", "resumes", FAN, {"PRESSES": 1, "ENDS": 1}),
     Mutant("NOBODY_IS_ASKED_TO_GO_ON", "each step that took effect requests the next", "drains", ROBOT, {"PRESSES": 1}, in_core=False),
     Mutant("A_SWAP_HAS_NO_DEADLINE", "a swap that has to wait is abandoned eventually", "swaps", BULB, {"PRESSES": 1, "OWNS": 1, "GIVE_UPS": 1, "SWAPS": 1}, WORST, in_core=False),
 )  # fmt: skip

@@ -70,11 +70,10 @@ class _Proof:
             table.write(self._results)
 
     def searches(self) -> list[_Task]:
-        wanted = [("", acts) for acts in plan.SCENES] + list(plan.LIVE_SCENES)
         return [
             self._search(number, pair, adapter, only, acts)
             for number, (pair, adapter, (only, acts)) in enumerate(
-                (pair, adapter, scene) for pair in plan.PAIRS for adapter in plan.ADAPTERS for scene in wanted
+                (pair, adapter, scene) for pair in plan.PAIRS for adapter in plan.ADAPTERS for scene in plan.scenes(pair)
             )
         ]
 
@@ -111,7 +110,7 @@ class _Proof:
         return _Task(mutant.name, run)
 
     def papers(self) -> list[_Task]:
-        wanted = [(only, pair, acts) for only, acts in plan.PAPER for pair in plan.PAIRS]
+        wanted = [(only, pair, acts) for only, acts in plan.PAPER for pair in plan.PAPERS_PAIRS]
         return [self._paper(number, *one) for number, one in enumerate(wanted)]
 
     def _paper(self, number: int, only: str, pair: Pair, acts: plan.Acts) -> _Task:

@@ -3,7 +3,8 @@
 from study.proof.sequence import Names
 
 _STAGES = ("READY", "SENDING", "INTERRUPTED", "RESUMED")
-_DOUBTS = ("sure", "doubt", "settled")
+_DOUBTS = ("sure", "doubt", "settled", "remembering")
+_OWED = ("-", "owed", "start", "owed-start")
 
 
 def write(trail: str, names: Names) -> str:
@@ -62,7 +63,7 @@ def state(said: str, names: Names) -> str:
             doing,
             "over" if over == "1" else "visit",
             "timer" if armed == "1" else "-",
-            "owed" if owed == "1" else "-",
+            _OWED[int(owed)],
         )
     )
 

@@ -89,7 +89,7 @@ public final class EdgeShell implements AutoCloseable {
      *
      * @param visit the number of the evolved system's stay in its state
      * @param settled whether nothing is in progress
-     * @param function whether the state's function is to run
+     * @param function whether the state's function is to run; it may have to wait, and begin later in the same visit
      * @param from the state that was left for this one; empty if that is unknown
      * @param by the event with which it was left, with its guards; empty if that is unknown
      */
@@ -243,7 +243,7 @@ public final class EdgeShell implements AutoCloseable {
         at = now.at();
         State state = now.at().evolved();
         if (now.visit() > visited || !now.function()) {
-            leave(now.visit() - (now.function() ? 1 : 0));
+            leave(now.visit() > visited ? now.visit() - 1 : now.visit());
         }
         if (!knowledge.models().evolved().hasState(state)) {
             failures.warn("the models here have no state " + state
@@ -255,7 +255,7 @@ public final class EdgeShell implements AutoCloseable {
         }
         if (now.function() && now.visit() > visited) {
             visited = now.visit();
-            visits.enter(new Output.Enter(now.visit(), state, transition(now), Map.of()), Values.NONE);
+            visits.enter(new Output.Enter(now.visit(), state, transition(now), Map.of()), Values.NONE, false);
             visits.start(new Output.Start(now.visit(), false));
         }
     }

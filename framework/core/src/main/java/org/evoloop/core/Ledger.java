@@ -168,7 +168,8 @@ final class Ledger {
 
     /**
      * Starts the function of the current state, if a visit other than {@code before} has begun and the state is new. If
-     * the state needs the device somewhere, it is started once the device is certainly there, and no fact waits.
+     * the state needs the device somewhere, it is started once the device is certainly there, no fact waits, and the
+     * converter is open.
      */
     void start(long before, boolean again) {
         State state = place.at().evolved();
@@ -178,7 +179,7 @@ final class Ledger {
             return;
         }
         stay.oweStart(begins || stay.isStartOwed());
-        if (stay.isStartOwed() && isWhereNeeded() && place.doubt() == null && !line.holdsFacts()) {
+        if (stay.isStartOwed() && open && isWhereNeeded() && place.doubt() == null && !line.holdsFacts()) {
             stay.oweStart(false);
             out.start(stay.number(), again);
         }
@@ -218,6 +219,32 @@ final class Ledger {
             place.doubt(doubt.step() == null ? null : doubt.settled(true));
             out.doubted("");
         }
+    }
+
+    /**
+     * What a doubt has interrupted is decided anew if the device is in {@code state}, which is where that leads: the
+     * transition is taken after all, and nothing is sent. Null if the device is elsewhere, or the new model has moved
+     * since.
+     */
+    @Nullable
+    Decision completed(@Nullable Doubt doubt, State state) {
+        Decision interrupted = doubt == null ? null : doubt.interrupted();
+        if (interrupted == null
+                || !place.at().evolved().equals(interrupted.before().evolved())) {
+            return null;
+        }
+        Configuration before = place.at().withOriginal(state);
+        Configuration after = interrupted.after().withOriginal(state);
+        Transition transition = interrupted.transition();
+        if (transition == null || !rules.table().isWhereNeeded(after)) {
+            return null;
+        }
+        return new Decision.NewState(before, after, List.of(), transition, interrupted.effects());
+    }
+
+    /** The device is certainly where the record has it, which does not mean that the new model has a place there. */
+    void followIfApart() {
+        followOwed |= !rules.table().isFollowed(place.at());
     }
 
     /**

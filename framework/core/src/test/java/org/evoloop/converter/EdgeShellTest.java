@@ -176,6 +176,16 @@ class EdgeShellTest {
     }
 
     @Test
+    void aFunctionWhoseStartHasToWaitBeginsLaterInTheSameVisit() {
+        stand("on", "wait", 3, true, true);
+        Awaitility.await().until(() -> reports.size() == 2);
+        stand("on", "wait", 4, false, false);
+        assertThat(done).endsWith("over");
+        stand("on", "wait", 4, true, true);
+        Awaitility.await().until(() -> done.contains("waiting in 4"));
+    }
+
+    @Test
     void aVisitThatIsOverBeforeItIsReceivedDoesNotBegin() {
         shell.leave(5);
         stand("on", "wait", 5, true, true);

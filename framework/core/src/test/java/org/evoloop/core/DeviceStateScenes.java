@@ -83,6 +83,28 @@ final class DeviceStateScenes {
                 .pressing("boost");
     }
 
+    /** A fan with one button, and a boost: the pair of {@code prism/proof/fan}. */
+    static Scene fan() {
+        String[] fan = {"Off power -> Low", "Low power -> High", "High power -> Off"};
+        return Scene.of(
+                        "fan",
+                        new ModelPair(
+                                machine("fan", fan),
+                                machine(
+                                        "fan with boost",
+                                        and(
+                                                fan,
+                                                "Off boost -> Boost",
+                                                "Low boost -> Boost",
+                                                "Boost device High",
+                                                "Boost timeout -> Low"))),
+                        Map.of("Boost", "timeout"),
+                        "power",
+                        "power",
+                        2)
+                .pressing("boost");
+    }
+
     private static String[] and(String[] some, String... more) {
         return Stream.concat(Stream.of(some), Stream.of(more)).toArray(String[]::new);
     }

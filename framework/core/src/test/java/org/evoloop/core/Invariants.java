@@ -349,7 +349,8 @@ final class Invariants {
         boolean quiet = after.open() && after.work() == null && !after.visit().over();
         return quiet
                         && !after.followOwed()
-                        && !after.visit().startOwed()
+                        && !(after.visit().startOwed()
+                                && (isInDoubt(after) || !after.waiting().isEmpty()))
                         && world.rules().table().isNew(after.at().evolved())
                         && world.functionOf != after.visit().number()
                 ? "function: that of " + after.at().evolved() + " does not run in " + after.visit()
@@ -408,10 +409,13 @@ final class Invariants {
     /** A step whose effect was unknown has taken the device to where its plan leads: then the transition is taken. */
     private String anInterruptedPlanEndsWhereItLed() {
         Doubt doubt = before.doubt();
-        Decision interrupted = doubt == null || doubt.settled() ? null : doubt.interrupted();
+        Decision interrupted = doubt == null ? null : doubt.interrupted();
+        boolean decided =
+                input instanceof Input.Located || (input instanceof Input.Planned && isOfReport(before.work()));
         if (interrupted == null
-                || !(input instanceof Input.Located)
+                || !decided
                 || isInDoubt(after)
+                || (after.doubt() != null && after.doubt().interrupted() != null)
                 || !before.at().evolved().equals(interrupted.before().evolved())
                 || !isWhereNeeded(interrupted.after().withOriginal(after.at().original()))) {
             return "";
@@ -421,6 +425,10 @@ final class Invariants {
         return goesOn || after.at().evolved().equals(interrupted.after().evolved())
                 ? ""
                 : "interrupted: " + interrupted + " ends in " + after.at();
+    }
+
+    private static boolean isOfReport(@Nullable Work work) {
+        return work != null && work.pending().occurrence() instanceof Occurrence.Found;
     }
 
     /** No function runs while the device may be sent to where the new model is; a closed converter sends nothing. */

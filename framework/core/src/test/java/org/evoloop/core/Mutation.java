@@ -5,7 +5,6 @@ import java.util.Collections;
 import java.util.List;
 import java.util.function.Predicate;
 import org.evoloop.core.Scene.Act;
-import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Step;
@@ -95,7 +94,7 @@ enum Mutation {
         Snapshot ahead(Snapshot before, Input input) {
             Work work = before.work();
             return input instanceof Input.Located && work != null
-                    ? Snapshots.work(before, asking(work.pending(), before))
+                    ? Snapshots.work(before, Snapshots.asking(work.pending(), before))
                     : before;
         }
     },
@@ -273,7 +272,7 @@ enum Mutation {
         Snapshot undo(Snapshot before, Input input, Snapshot after) {
             Work work = after.work();
             return input instanceof Input.Recovered && work != null
-                    ? Snapshots.work(after, begun(work.pending()))
+                    ? Snapshots.work(after, Snapshots.begun(work.pending()))
                     : after;
         }
     },
@@ -306,7 +305,9 @@ enum Mutation {
         Snapshot undo(Snapshot before, Input input, Snapshot after) {
             return waits(before, input)
                     ? Snapshots.waiting(
-                            Snapshots.work(after, begun(before.waiting().get(0))), List.of())
+                            Snapshots.work(
+                                    after, Snapshots.begun(before.waiting().get(0))),
+                            List.of())
                     : after;
         }
 
@@ -365,7 +366,7 @@ enum Mutation {
     A_FACT_THAT_FAILS_MOVES_THE_DEVICE_ONLY("apart", Scene.robot().with(1, Act.OWN, Act.FAIL)) {
         @Override
         Snapshot undo(Snapshot before, Input input, Snapshot after) {
-            return input instanceof Input.Failed ? systemStays(before, after) : after;
+            return input instanceof Input.Failed ? Snapshots.systemStays(before, after) : after;
         }
 
         @Override
@@ -381,7 +382,7 @@ enum Mutation {
             "obeyed", Scene.grinder().with(2, Act.PRESS).with(1, Act.GIVE_UP)) {
         @Override
         Snapshot undo(Snapshot before, Input input, Snapshot after) {
-            return input instanceof Input.GivenUp ? systemStays(before, after) : after;
+            return input instanceof Input.GivenUp ? Snapshots.systemStays(before, after) : after;
         }
     },
     PRESSES_HAVE_NO_AGE("age", Scene.bulb().withPressAge(2).with(2, Act.PRESS)) {
@@ -397,11 +398,22 @@ enum Mutation {
             return input instanceof Input.Observed ? Snapshots.sure(after) : after;
         }
     },
-    A_DEVICE_ELSEWHERE_IS_NOT_FOLLOWED(
-            "stuck", DeviceStateScenes.air().with(2, Act.PRESS).with(1, Act.FAIL)) {
+    A_DEVICE_ELSEWHERE_IS_NOT_FOLLOWED("stuck", DeviceStateScenes.fan().with(1, Act.PRESS, Act.FAIL)) {
         @Override
         Snapshot undo(Snapshot before, Input input, Snapshot after) {
             return Snapshots.followOwed(after, before.followOwed());
+        }
+    },
+    A_START_THAT_HAS_TO_WAIT_IS_FORGOTTEN("function", DeviceStateScenes.fan().with(1, Act.PRESS, Act.GIVE_UP)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return Snapshots.visit(after, Snapshots.owingNoStart(after.visit()));
+        }
+    },
+    A_DOUBT_FORGETS_ITS_DECISION("interrupted", DeviceStateScenes.fan().with(1, Act.PRESS, Act.END)) {
+        @Override
+        Snapshot ahead(Snapshot before, Input input) {
+            return input instanceof Input.Located ? Snapshots.forgettingItsDecision(before) : before;
         }
     },
     WHAT_ENDS_IS_NOT_COUNTED("sum", Scene.bulb().with(1, Act.PRESS)) {
@@ -471,18 +483,6 @@ enum Mutation {
                 && observed.occurrence().source() == Source.CONTROLLER
                 && before.open()
                 && before.waiting().size() >= scene.rules().queueCapacity();
-    }
-
-    private static Snapshot systemStays(Snapshot before, Snapshot after) {
-        return Snapshots.at(after, after.at().withEvolved(before.at().evolved()));
-    }
-
-    private static Work begun(Pending pending) {
-        return new Work(pending, null, 0, 0, "", Work.Stage.READY, List.of());
-    }
-
-    private static Work asking(Pending pending, Snapshot before) {
-        return new Work(pending, new Decision.Inquiry(before.at()), 0, 0, "", Work.Stage.READY, List.of());
     }
 
     private static boolean isFact(Input input) {

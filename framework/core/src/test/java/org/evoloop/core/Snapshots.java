@@ -73,6 +73,37 @@ final class Snapshots {
                 List.of());
     }
 
+    static Snapshot systemStays(Snapshot before, Snapshot after) {
+        return at(after, after.at().withEvolved(before.at().evolved()));
+    }
+
+    static Work begun(Pending pending) {
+        return new Work(pending, null, 0, 0, "", Work.Stage.READY, List.of());
+    }
+
+    static Work asking(Pending pending, Snapshot before) {
+        return new Work(pending, new Decision.Inquiry(before.at()), 0, 0, "", Work.Stage.READY, List.of());
+    }
+
+    static Snapshot.OpenVisit owingNoStart(Snapshot.OpenVisit of) {
+        return new Snapshot.OpenVisit(of.number(), of.over(), of.by(), of.deadlines(), false);
+    }
+
+    static Snapshot forgettingItsDecision(Snapshot of) {
+        Doubt doubt = of.doubt();
+        Doubt forgetful = doubt == null
+                ? null
+                : new Doubt(
+                        doubt.why(),
+                        doubt.number(),
+                        doubt.step(),
+                        doubt.stepsBefore(),
+                        doubt.meanwhile(),
+                        doubt.settled(),
+                        null);
+        return made(of, of.at(), forgetful, of.visit(), of.waiting(), of.followOwed(), of.work(), of.tally());
+    }
+
     /** The copy in which everything that waits belongs to this visit. */
     static Snapshot allOf(Snapshot of, long visit) {
         return waiting(

@@ -24,7 +24,17 @@ class StoriesTest {
 
     static Stream<Arguments> pairs() {
         return Stream.of(
-                Arguments.of("robot", everything(Scene.robot())), Arguments.of("bulb", everything(Scene.bulb())));
+                Arguments.of("robot", everything(Scene.robot())),
+                Arguments.of("bulb", everything(Scene.bulb())),
+                Arguments.of("fan", boosts()));
+    }
+
+    /** The fan is mostly pressed, so that it is often on its way to the state that its boost needs. */
+    private static Scene boosts() {
+        return DeviceStateScenes.fan()
+                .with(5, Act.PRESS)
+                .with(2, Act.GIVE_UP, Act.END, Act.OWN)
+                .with(1, Act.FAIL, Act.JUMP);
     }
 
     private static Scene everything(Scene scene) {

@@ -63,13 +63,24 @@ final class Trail {
                 now.open() ? "open" : "closed",
                 now.at().original().name(),
                 now.at().evolved().name(),
-                doubt == null ? "sure" : doubt.settled() ? "settled" : "doubt",
+                doubt == null ? "sure" : certainty(doubt),
                 "waiting",
                 String.valueOf(now.waiting().size()),
                 doing,
                 now.visit().over() ? "over" : "visit",
                 now.visit().deadlines().isEmpty() ? "-" : "timer",
-                now.followOwed() ? "owed" : "-");
+                owed(now));
+    }
+
+    private static String certainty(Doubt doubt) {
+        return doubt.settled() ? "settled" : doubt.interrupted() == null ? "doubt" : "remembering";
+    }
+
+    private static String owed(Snapshot now) {
+        if (now.visit().startOwed()) {
+            return now.followOwed() ? "owed-start" : "start";
+        }
+        return now.followOwed() ? "owed" : "-";
     }
 
     private void apply(String[] words) {

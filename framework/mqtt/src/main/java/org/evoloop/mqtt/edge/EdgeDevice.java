@@ -317,9 +317,9 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
             if (record.number("deadlineMillis", 0) < wall.millis()) {
                 problem = "the command arrived after its deadline";
             } else {
-                if (!record.truth("function")) {
-                    shell.leave(record.number("visit", 0));
-                }
+                long visit = record.number("visit", 0);
+                // A visit that has yet to begin follows others, which are over.
+                shell.leave(record.truth("function") ? visit - 1 : visit);
                 carryOut(record, sequence, shell);
             }
         } catch (IllegalArgumentException | ModelException | UncheckedIOException e) {

@@ -27,6 +27,7 @@ import org.evoloop.xmi.ModelReference;
  *
  * @param deviceStates of the original model
  * @param systemStates of both new models
+ * @param pressed the events of controllers: those that can be sent, and others that are pressed
  */
 record EvolvingPair(
         Rules rules,
@@ -36,11 +37,17 @@ record EvolvingPair(
         List<State> systemStates,
         List<Event> events,
         Set<Event> sendable,
+        Set<Event> pressed,
         Set<Event> own,
         Set<Event> raised) {
 
     /** What is known of a device and of its evolution besides the models. */
-    record Facts(Set<String> sendable, Set<String> spontaneous, Map<String, String> timers, int queueCapacity) {}
+    record Facts(
+            Set<String> sendable,
+            Set<String> pressed,
+            Set<String> spontaneous,
+            Map<String, String> timers,
+            int queueCapacity) {}
 
     /**
      * @param original what the device does, and the others the new models: {@code FILE#NAME}
@@ -58,6 +65,9 @@ record EvolvingPair(
         raised.addAll(other.evolved().triggers());
         raised.removeAll(events);
         events.addAll(raised);
+        Set<Event> pressed = new LinkedHashSet<>(events(facts.sendable()));
+        pressed.addAll(events(facts.pressed()));
+        raised.removeAll(pressed);
         Set<Event> own = events(facts.spontaneous());
         return new EvolvingPair(
                 rules,
@@ -67,6 +77,7 @@ record EvolvingPair(
                 List.copyOf(system),
                 List.copyOf(events),
                 events(facts.sendable()),
+                pressed,
                 own,
                 raised);
     }

@@ -45,6 +45,9 @@ public final class Main implements Callable<Integer> {
     @Option(names = "--sendable", split = ",", required = true)
     private Set<String> sendable;
 
+    @Option(names = "--pressed", split = ",", description = "What controllers press besides.")
+    private Set<String> pressed = Set.of();
+
     @Option(names = "--spontaneous", split = ",", required = true)
     private Set<String> spontaneous;
 
@@ -92,7 +95,11 @@ public final class Main implements Callable<Integer> {
         EvolvingPair evolution;
         try {
             evolution = EvolvingPair.of(
-                    original, evolved, next, mapped, new EvolvingPair.Facts(sendable, spontaneous, timers, queue));
+                    original,
+                    evolved,
+                    next,
+                    mapped,
+                    new EvolvingPair.Facts(sendable, pressed, spontaneous, timers, queue));
         } catch (ModelException | IllegalArgumentException wrong) {
             err.println("error: " + wrong.getMessage());
             return CommandLine.ExitCode.USAGE;

@@ -46,7 +46,7 @@ final class StateText {
                 bit(now.visit().over()),
                 bit(!now.visit().deadlines().isEmpty()),
                 bit(now.steps() > 0),
-                bit(now.followOwed())));
+                bit(now.followOwed()) + 2 * bit(now.visit().startOwed())));
         all.append(" doubt ").append(doubt(now.doubt())).append(" work ").append(work(now.work()));
         for (Pending pending : now.waiting()) {
             all.append(text(pending));
@@ -72,7 +72,7 @@ final class StateText {
         }
         int steps = doubt.stepsBefore() < 0 ? 2 : doubt.stepsBefore() == now.steps() ? 0 : 1;
         return numbers(
-                doubt.settled() ? 2 : 1,
+                doubt.interrupted() != null ? 3 : doubt.settled() ? 2 : 1,
                 doubt.number(),
                 steps,
                 doubt.meanwhile().size());

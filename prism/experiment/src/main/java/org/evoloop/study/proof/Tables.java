@@ -50,7 +50,9 @@ final class Tables {
                 "find_table",
                 "timer_table",
                 "fate_table",
-                "knows_table")) {
+                "knows_table",
+                "function_table",
+                "elsewhere_table")) {
             line("hidden int " + table + "[2 * DEVICE1 * SYSTEM1 * EVENTS1];");
         }
         line("hidden byte own_table[DEVICE1 * EVENTS1];");
@@ -91,6 +93,11 @@ final class Tables {
     private void choices() {
         choice(
                 "choose_button",
+                evolution.pressed().stream()
+                        .map(event -> "event = " + evolution.number(event))
+                        .toList());
+        choice(
+                "choose_asked",
                 evolution.sendable().stream()
                         .map(event -> "event = " + evolution.number(event))
                         .toList());
@@ -154,6 +161,8 @@ final class Tables {
                 throw new IllegalArgumentException("state " + system + " has more than one timer: " + timers);
             }
             put("timer_table", index(swapped, 0, system, 0), timers.isEmpty() ? 0 : evolution.number(timers.get(0)));
+            int function = !table.isNew(system) ? 0 : table.needsDevice(system) ? 2 : 1;
+            put("function_table", index(swapped, 0, system, 0), function);
             for (State device : evolution.deviceStates()) {
                 int at = evolution.number(device, true);
                 Configuration both = new Configuration(device, system);
@@ -162,6 +171,7 @@ final class Tables {
                         "find_table",
                         index(swapped, at, system, 0),
                         evolution.number(found.after().evolved(), false));
+                put("elsewhere_table", index(swapped, at, system, 0), table.isWhereNeeded(both) ? 0 : 1);
                 put("settle_table", index(swapped, at, system, 0), code(table.settle(both)));
                 put("fate_table", index(swapped, at, system, 0), code(succession.fate(both)));
                 for (Event event : evolution.events()) {
@@ -197,6 +207,7 @@ final class Tables {
                 | evolution.number(maps.at().evolved(), false) << 1
                 | (maps.steps().isEmpty() ? 0 : 1 << 5)
                 | (timer ? 1 << 6 : 0)
-                | (function ? 1 << 7 : 0);
+                | (function ? 1 << 7 : 0)
+                | (maps.steps().isEmpty() && !maps.to().equals(maps.at()) ? 1 << 8 : 0);
     }
 }

@@ -27,6 +27,18 @@ class GoldenTest {
 
     static List<String> arguments(String pair) {
         String models = ROOT.resolve("models").toString();
+        String fan = ROOT.resolve("prism/proof/fan").toString();
+        if (pair.equals("fan")) {
+            return List.of(
+                    "--original=" + fan + "/original.scxml",
+                    "--new=" + fan + "/new.scxml",
+                    "--next=" + fan + "/original.scxml",
+                    "--mapping=" + fan + "/mapping.txt",
+                    "--sendable=power",
+                    "--pressed=boost",
+                    "--spontaneous=power",
+                    "--timer=Boost=timeout");
+        }
         return pair.equals("robot")
                 ? List.of(
                         "--original=" + models + "/cleaning-robot.xml#original",
@@ -53,7 +65,7 @@ class GoldenTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"robot", "bulb"})
+    @ValueSource(strings = {"robot", "bulb", "fan"})
     void theTablesAreThoseOfTheModelFiles(String pair) throws IOException {
         assertThat(run(arguments(pair))).isZero();
 
@@ -62,7 +74,7 @@ class GoldenTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"robot", "bulb"})
+    @ValueSource(strings = {"robot", "bulb", "fan"})
     void theCoreDoesWhatItDid(String pair) throws IOException {
         assertThat(run(arguments(pair), "--traces=40", "--seed=1")).isZero();
 
