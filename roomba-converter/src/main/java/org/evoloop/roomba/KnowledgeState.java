@@ -6,6 +6,7 @@ import org.evoloop.converter.StateKnowledge;
 import org.evoloop.function.NewFunction;
 import org.evoloop.roomba.move.Move;
 import org.evoloop.roomba.session.RoombaSession;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 
@@ -43,14 +44,32 @@ final class KnowledgeState extends StateKnowledge {
     protected void registerNewFunctions() {
         models.functions().forEach((state, function) -> {
             switch (function) {
-                case MOVE -> registerMove(state);
+                case MOVE -> {
+                    registerMove(state);
+                    maySend(state, RobotEvents.CLEAN);
+                    maySend(state, RobotEvents.UNDOCK);
+                }
                 case SPOT_WAIT -> function(state.name(), spotWait);
-                case SPOT_CLEAN -> function(state.name(), spotClean());
-                case CHARGE -> function(state.name(), charge());
+                case SPOT_CLEAN -> {
+                    function(state.name(), spotClean());
+                    maySend(state, RobotEvents.SPOT);
+                }
+                case CHARGE -> {
+                    function(state.name(), charge());
+                    maySend(state, RobotEvents.DOCK);
+                }
                 case QUIET_HOURS -> function(state.name(), quietHours);
                 case NONE -> function(state.name(), NewFunction.none());
             }
         });
+    }
+
+    /** Models of others need not say what this program's functions send. In a device state nothing has to be sent. */
+    private void maySend(State state, String event) {
+        boolean isKnown = models().original().triggers().contains(new Event(event));
+        if (isKnown && models().whereDeviceMustBe(state).isEmpty()) {
+            sends(state.name(), event);
+        }
     }
 
     private NewFunction spotClean() {

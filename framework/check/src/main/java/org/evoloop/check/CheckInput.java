@@ -5,6 +5,8 @@ import java.util.Set;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -62,6 +64,20 @@ public record CheckInput(
     /** A copy with functions. */
     public CheckInput withFunctions(Set<String> states) {
         return new CheckInput(pair, device, states, raised, guards, effects);
+    }
+
+    /**
+     * A copy in which the function of a state of the new model, with whatever history, may send an event, as the
+     * converter's code says it.
+     */
+    public CheckInput withSends(String state, String event) {
+        StateMachine evolved = pair.evolved();
+        for (State each : pair.evolved().states()) {
+            if (each.name().equals(state) || evolved.withoutMemory(each).name().equals(state)) {
+                evolved = evolved.withSends(each, new Event(event));
+            }
+        }
+        return new CheckInput(new ModelPair(pair.original(), evolved), device, functions, raised, guards, effects);
     }
 
     /** A copy with the events that monitors and functions raise. */

@@ -16,8 +16,8 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
 /**
- * What functions of new states may have the device do: what the new model declares, or else, in a state without a device
- * state, whatever can be sent; at any time and any number of times.
+ * What functions of new states may have the device do: what the new model declares, at any time and any number of times.
+ * A converter refuses anything else.
  *
  * <p>Threading: immutable.
  *
@@ -25,9 +25,9 @@ import org.evoloop.statemachine.Transition;
  */
 public final class FunctionSends {
     /** What the author of a property can do about it. */
-    public static final String REMEDY = "ask for less where such a function runs, say in the model what it sends "
-            + "(«sends EVENT») or where it needs the device («device STATE»), or list the new states that have a function "
-            + "with --functions";
+    public static final String REMEDY =
+            "ask for less where such a function runs, or let the model have it done: draw a "
+                    + "new state that needs the device there («device STATE»)";
 
     private static final int LISTED = 5;
 
@@ -39,25 +39,12 @@ public final class FunctionSends {
         this.states = states;
     }
 
-    /**
-     * By every new state that has a function, unless it needs the device somewhere and declares nothing; where it is
-     * unknown which have one, by every such new state.
-     */
+    /** By every new state that declares what its function sends. */
     public static FunctionSends possible(CheckInput input) {
         Set<State> states = new LinkedHashSet<>(input.pair().evolved().states());
         states.removeIf(state -> !input.pair().isNew(state)
-                || !mayHaveFunction(input, state)
-                || (!input.pair().whereDeviceMustBe(state).isEmpty()
-                        && input.pair().evolved().sends(state).isEmpty()));
+                || input.pair().evolved().sends(state).isEmpty());
         return new FunctionSends(input, states);
-    }
-
-    private static boolean mayHaveFunction(CheckInput input, State state) {
-        Set<String> functions = input.functions();
-        return functions == null
-                || functions.contains(state.name())
-                || functions.contains(
-                        input.pair().evolved().withoutMemory(state).name());
     }
 
     /** The states whose functions may send. */

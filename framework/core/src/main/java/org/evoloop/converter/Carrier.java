@@ -321,7 +321,7 @@ final class Carrier {
         if (directive instanceof Output.Leave) {
             visits.leave();
         } else if (directive instanceof Output.Enter enter) {
-            visits.enter(enter, after == null ? null : carried(after));
+            visits.enter(enter, after == null ? null : carried(after), after == null);
         } else if (directive instanceof Output.CarryOver over) {
             visits.carryOver(over);
         } else if (directive instanceof Output.Start start) {

@@ -255,7 +255,7 @@ public final class EdgeShell implements AutoCloseable {
         }
         if (now.function() && now.visit() > visited) {
             visited = now.visit();
-            visits.enter(new Output.Enter(now.visit(), state, transition(now), Map.of()), Values.NONE);
+            visits.enter(new Output.Enter(now.visit(), state, transition(now), Map.of()), Values.NONE, false);
             visits.start(new Output.Start(now.visit(), false));
         }
     }

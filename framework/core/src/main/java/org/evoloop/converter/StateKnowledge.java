@@ -133,7 +133,8 @@ public class StateKnowledge extends Knowledge {
 
     /**
      * Says that the function of the new state {@code state} may send {@code event} to the device, as the model can, too.
-     * A state that says so, or has a device state, sends nothing else.
+     * What neither says is refused when the function asks for it. Checks of the model need to be told what only the
+     * code says.
      */
     protected final void sends(String state, String event) {
         for (State each : used(state)) {

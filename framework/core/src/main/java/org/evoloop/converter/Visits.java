@@ -52,6 +52,9 @@ final class Visits implements VisitHost {
     /** The state of the current visit, in terms of the present models. */
     private @Nullable State present;
 
+    /** Whether other models have taken over since the current visit began. */
+    private boolean takenOver;
+
     private NewFunction function = NewFunction.none();
     private Map<Event, Long> deadlines = Map.of();
 
@@ -78,20 +81,31 @@ final class Visits implements VisitHost {
      * Begins a visit, unless another has already followed it.
      *
      * @param carried the values of the event with which the state is entered; null if it is entered again
+     * @param anew whether that is because the converter has been started, or other models have taken over
      */
-    synchronized void enter(Output.Enter enter, @Nullable Values carried) {
+    synchronized void enter(Output.Enter enter, @Nullable Values carried, boolean anew) {
         Visit before = current;
         if (before != null && before.number() >= enter.visit()) {
             return;
         }
         Values values = carried == null ? valuesBefore(enter.state()) : carried;
-        HostedVisit entered = new HostedVisit(enter.state(), enter.visit(), values, this);
+        Visit.Beginning beginning = carried != null ? Visit.Beginning.NEW : beginning(before, anew);
+        HostedVisit entered = new HostedVisit(enter.state(), beginning, enter.visit(), values, this);
         functions.begin(entered);
         current = entered;
+        takenOver = false;
         present = enter.state();
         Transition by = enter.by();
         function = by == null ? NewFunction.none() : knowledge.get().action(by);
         set(Map.of(), enter.deadlines(), entered);
+    }
+
+    /** Of a state that is entered again. */
+    private Visit.Beginning beginning(@Nullable Visit before, boolean anew) {
+        if (takenOver) {
+            return Visit.Beginning.TAKEN_OVER;
+        }
+        return anew || before == null ? Visit.Beginning.RESUMED : before.beginning();
     }
 
     private Values valuesBefore(State again) {
@@ -102,6 +116,7 @@ final class Visits implements VisitHost {
     /** Other models have taken over, whose {@code state} succeeds that of the current visit, continued or not. */
     synchronized void becomes(State state) {
         present = state;
+        takenOver = true;
     }
 
     /** Continues the current visit and its function in a state of other models. */

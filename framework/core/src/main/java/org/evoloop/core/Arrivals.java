@@ -101,19 +101,23 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
         } else if (ledger.place.isOld(found)) {
             endAtOnce(found, Outcome.STALE, OVERTAKEN);
         } else {
+            Doubt doubt = ledger.place.doubt();
+            boolean completes = ledger.completed(doubt, found.state()) != null;
             ledger.happensMeanwhile(found);
             ledger.settleDoubt();
-            goTo(found);
+            Doubt settled = ledger.place.lastDoubt();
+            if (doubt != null && settled != null && completes) {
+                ledger.place.doubt(settled.reported(doubt.interrupted()));
+            }
+            if (completes || !ledger.place.isNoNews(found)) {
+                State from = ledger.place.at().original();
+                ledger.place.moveDevice(found.state(), ledger.out);
+                enqueue(found, from, null);
+            } else if (doubt != null) {
+                ledger.followIfApart();
+            }
             // A function may have waited only for this certainty.
             ledger.start(ledger.stay.number(), false);
-        }
-    }
-
-    private void goTo(Occurrence.Found found) {
-        if (!ledger.place.isNoNews(found)) {
-            State from = ledger.place.at().original();
-            ledger.place.moveDevice(found.state(), ledger.out);
-            enqueue(found, from, null);
         }
     }
 

@@ -50,8 +50,24 @@ abstract sealed class Conversion extends Arrivals permits Core {
             again(pending, "what the device did by itself is heard first");
             return;
         }
+        Decision decided = reported(pending, decision);
         ledger.out.decided(
-                pending, decision, ledger.nowNanos - pending.occurrence().observedNanos());
+                pending, decided, ledger.nowNanos - pending.occurrence().observedNanos());
+        decide(decided);
+    }
+
+    /** A report of the device's state may complete what was interrupted, as its answer does. */
+    private Decision reported(Pending pending, Decision usual) {
+        Doubt last = ledger.place.lastDoubt();
+        if (last == null || !last.isReported()) {
+            return usual;
+        }
+        ledger.place.doubt(last.settled(true));
+        Decision completed = ledger.completed(last, ledger.place.at().original());
+        return completed != null && usual instanceof Decision.Resynchronization ? completed : usual;
+    }
+
+    private void decide(Decision decision) {
         if (decision.leavesState()) {
             // Before the first step leaves: a function that still moved the device would contradict it.
             ledger.stay.leave(ledger.out);
@@ -453,46 +469,28 @@ abstract sealed class Conversion extends Arrivals permits Core {
         } else {
             ledger.happensMeanwhile(new Occurrence.Found(state, ledger.nowNanos));
             ledger.settleDoubt();
-            if (doubt.interrupted() == null || !complete(doubt.interrupted(), state)) {
-                isIn(state, number);
-            }
+            isIn(state, number, ledger.completed(doubt, state));
         }
     }
 
     /**
-     * Takes the transition whose plan was interrupted, if the new model has not moved since, and the device has come to
-     * where the plan leads; returns whether it has. Nothing is sent.
+     * The device has said where it is: the plan that was interrupted ends there, or else both models follow.
+     *
+     * @param completed what ends there; null if nothing does
      */
-    private boolean complete(Decision interrupted, State state) {
-        Configuration at = ledger.place.at();
-        Configuration after = interrupted.after().withOriginal(state);
-        if (!at.evolved().equals(interrupted.before().evolved())
-                || !ledger.rules.table().isWhereNeeded(after)) {
-            return false;
-        }
-        ledger.place.moveDevice(state, ledger.out);
-        if (interrupted.leavesState()) {
-            ledger.stay.leave(ledger.out);
-        }
-        progress.decide(new Decision.NewState(
-                at.withOriginal(state),
-                after,
-                List.of(),
-                Objects.requireNonNull(interrupted.transition()),
-                interrupted.effects()));
-        proceed();
-        return true;
-    }
-
-    /** The device has reported its state; both models follow if it differs from the record. */
-    private void isIn(State state, long number) {
-        if (state.equals(ledger.place.at().original())) {
+    private void isIn(State state, long number, @Nullable Decision completed) {
+        if (completed == null && state.equals(ledger.place.at().original())) {
+            ledger.followIfApart();
             conclude(number, Outcome.HANDLED, "the device is in " + state);
+            return;
+        }
+        Decision found = ledger.rules.table().find(ledger.place.at(), state);
+        ledger.place.moveDevice(state, ledger.out);
+        // Facts that wait are older than the answer, and may lead the new model elsewhere.
+        ledger.followOwed |= ledger.line.holdsFacts();
+        if (completed != null) {
+            decide(completed);
         } else {
-            Decision found = ledger.rules.table().find(ledger.place.at(), state);
-            ledger.place.moveDevice(state, ledger.out);
-            // Facts that wait are older than the answer, and may lead the new model elsewhere.
-            ledger.followOwed |= ledger.line.holdsFacts();
             follow(found, "");
         }
     }

@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
  * @param settled whether the device has reported its state, so that the record is certain unless the step is reported
  *     to have had its effect after all
  * @param interrupted the decision in whose plan it arose, if that leads to a new state which needs the device somewhere:
- *     if the device is there, the transition is taken after all; null for any other
+ *     if the device is there, the transition is taken after all; null for any other, and once that is decided
  * @since 0.1
  */
 public record Doubt(
@@ -49,6 +49,16 @@ public record Doubt(
 
     Doubt settled(boolean nowSettled) {
         return new Doubt(why, number, step, stepsBefore, meanwhile, nowSettled, null);
+    }
+
+    /** The device has reported its state without being asked, and what that means is not decided yet. */
+    Doubt reported(@Nullable Decision undecided) {
+        return new Doubt(why, number, step, stepsBefore, meanwhile, true, undecided);
+    }
+
+    /** Whether the device has reported its state, but what that means is not decided yet. */
+    boolean isReported() {
+        return settled && interrupted != null;
     }
 
     /** The same doubt in terms of other models. */

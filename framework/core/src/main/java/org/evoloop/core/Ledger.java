@@ -222,6 +222,32 @@ final class Ledger {
     }
 
     /**
+     * What a doubt has interrupted is decided anew if the device is in {@code state}, which is where that leads: the
+     * transition is taken after all, and nothing is sent. Null if the device is elsewhere, or the new model has moved
+     * since.
+     */
+    @Nullable
+    Decision completed(@Nullable Doubt doubt, State state) {
+        Decision interrupted = doubt == null ? null : doubt.interrupted();
+        if (interrupted == null
+                || !place.at().evolved().equals(interrupted.before().evolved())) {
+            return null;
+        }
+        Configuration before = place.at().withOriginal(state);
+        Configuration after = interrupted.after().withOriginal(state);
+        Transition transition = interrupted.transition();
+        if (transition == null || !rules.table().isWhereNeeded(after)) {
+            return null;
+        }
+        return new Decision.NewState(before, after, List.of(), transition, interrupted.effects());
+    }
+
+    /** The device is certainly where the record has it, which does not mean that the new model has a place there. */
+    void followIfApart() {
+        followOwed |= !rules.table().isFollowed(place.at());
+    }
+
+    /**
      * Notes a fact that came while a step was being sent or the device was being asked: it may be older or newer than
      * that.
      */

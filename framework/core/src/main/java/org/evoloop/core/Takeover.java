@@ -37,14 +37,15 @@ final class Takeover {
 
     /** What prevents any models from taking over now. */
     private String obstacle() {
-        Doubt doubt = ledger.place.doubt();
+        Doubt doubt = ledger.place.lastDoubt();
         if (ledger.progress.isInterrupted()) {
             return "the plan for " + ledger.progress.pending().occurrence().label()
                     + " was interrupted; it goes on when the converter is started";
         } else if (!ledger.progress.isIdle() || ledger.line.holdsRetry()) {
             return "an event is in progress";
         }
-        return doubt == null ? "" : "the device's state is in doubt: " + doubt.why();
+        boolean open = doubt != null && (!doubt.settled() || doubt.isReported());
+        return open ? "the device's state is in doubt: " + doubt.why() : "";
     }
 
     /** Lets the models take over; does nothing if anything {@linkplain #hindrance prevents} that. */

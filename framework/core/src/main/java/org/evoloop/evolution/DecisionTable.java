@@ -286,16 +286,18 @@ public final class DecisionTable {
     }
 
     /**
-     * The decision for {@code trigger} that a new function sends to the device. {@link Decision.Impossible} also where it
-     * would take the device out of the state's device state, and where a state that has one, or that says what it sends,
-     * does not say that it sends this.
+     * The decision for {@code trigger} that a new function sends to the device. {@link Decision.Impossible} also where
+     * the state does not {@linkplain org.evoloop.statemachine.StateMachine#sends declare} that its function sends this,
+     * and where it would take the device out of the state's device state.
      */
     public Decision ask(Configuration at, Event trigger, Predicate<String> holds) {
         Event event = originalGuards.resolve(at.original(), trigger, holds);
         Transition taken = event == null ? null : conversion.originalTransition(at.original(), event);
-        return taken == null
-                ? conversion.notSent(at, trigger, "the device has no transition for it in " + at.original())
-                : conversion.send(at, taken, !originalGuards.conditionsOf(taken).isEmpty());
+        return conversion.send(
+                at,
+                trigger.trigger(),
+                taken,
+                taken != null && !originalGuards.conditionsOf(taken).isEmpty());
     }
 
     /** Whether only the device itself can take {@code trigger}. */

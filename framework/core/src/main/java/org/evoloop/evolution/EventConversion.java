@@ -231,28 +231,43 @@ final class EventConversion {
                 : reaching(at, List.of(), done, way, transition, target);
     }
 
-    /** The new model's function has the device take {@code taken}. */
-    Decision send(Configuration at, Transition taken, boolean conditional) {
-        Configuration after = at.withOriginal(taken.target());
-        Event trigger = taken.event().trigger();
+    /**
+     * The new model's function asks for {@code trigger}. What its state does not declare is not sent, so that what was
+     * checked of the model holds.
+     *
+     * @param taken the transition that the device takes on it now; null if its model has none
+     */
+    Decision send(Configuration at, Event trigger, @Nullable Transition taken, boolean conditional) {
+        State asking = pair.evolved().withoutMemory(at.evolved());
         if (!device.sendable().contains(trigger)) {
-            return notSent(at, trigger, "no execute component can send it");
+            return notSent(at, trigger, asking, ", but no execute component can send it");
         }
-        Set<Event> declared = pair.evolved().sends(at.evolved());
-        if ((needsDevice(at.evolved()) || !declared.isEmpty()) && !declared.contains(trigger)) {
-            return notSent(at, trigger, "state " + at.evolved() + " does not say so; draw it there: sends " + trigger);
+        if (!pair.evolved().sends(at.evolved()).contains(trigger)) {
+            String call = "sends(\"" + asking + "\", \"" + trigger + "\")";
+            return notSent(
+                    at,
+                    trigger,
+                    asking,
+                    ", which " + asking + " does not declare; draw \"sends " + trigger + "\" in " + asking
+                            + " (SCXML: ev:sends=\"" + trigger + "\"), or call " + call + " in registerNewFunctions");
         }
+        if (taken == null) {
+            return notSent(at, trigger, asking, ", but the device has no transition for it in " + at.original());
+        }
+        Configuration after = at.withOriginal(taken.target());
         return isWhereNeeded(after)
                 ? new Decision.Sending(at, after, List.of(new Step(taken, false, conditional)))
                 : notSent(
                         at,
                         trigger,
-                        "it takes the device to " + taken.target() + ", and " + at.evolved() + " needs it in "
+                        asking,
+                        ", but it takes the device to " + taken.target() + ", and " + asking + " needs it in "
                                 + where(target(at.evolved())) + "; draw another new state for that");
     }
 
-    Decision notSent(Configuration at, Event trigger, String why) {
-        return new Decision.Impossible(at, at, List.of(), null, "a function asks for " + trigger + ", but " + why);
+    private static Decision notSent(Configuration at, Event trigger, State asking, String why) {
+        return new Decision.Impossible(
+                at, at, List.of(), null, "the function of " + asking + " asks for " + trigger + why);
     }
 
     /** See {@link DecisionTable#settle}. */

@@ -64,7 +64,8 @@ final class Turns {
         for (Transition transition : pair.original().transitionsFrom(at.original())) {
             if (sent.contains(transition.event().trigger()) && originalGuards.shadowOf(transition) == null) {
                 boolean conditional = !originalGuards.conditionsOf(transition).isEmpty();
-                Turn turn = new Turn(transition.event(), false, conversion.send(at, transition, conditional));
+                Event trigger = transition.event().trigger();
+                Turn turn = new Turn(transition.event(), false, conversion.send(at, trigger, transition, conditional));
                 if (turn.isSent()) {
                     turns.add(turn);
                 }

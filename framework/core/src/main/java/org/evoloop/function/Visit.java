@@ -19,8 +19,27 @@ import org.evoloop.time.TimesOfDay;
  * @since 0.1
  */
 public interface Visit {
+    /** How a visit has begun. */
+    enum Beginning {
+        /** An event led into the state, or the new model followed the device there. */
+        NEW,
+        /**
+         * The converter was stopped or its process ended during the visit, and it has been started again. Its device is
+         * where the state needs it, if it needs it somewhere.
+         */
+        RESUMED,
+        /** Other models have taken over during the visit, whether or not the function has been started again. */
+        TAKEN_OVER
+    }
+
     /** The visited state. */
     State state();
+
+    /**
+     * How the visit has begun, for a function that does something only once. A state that is entered again because it
+     * could not be left keeps what it was. Always {@link Beginning#NEW} where the decisions of a fleet are carried out.
+     */
+    Beginning beginning();
 
     /**
      * Where the device is now: the state of the original model, as far as it has been reported. When the function of a
@@ -89,8 +108,9 @@ public interface Visit {
 
     /**
      * Sends {@code event} with {@code values} to the device and continues: the event waits for its turn like all
-     * others, and the new model stays in this state. The device's model must have a transition for it in the state of
-     * the device at that time. The history shows the outcome. Nothing happens if the state has been left, or is left
+     * others, and the new model stays in this state. The state must declare that it sends the event, in its model or in
+     * {@code StateKnowledge}, and the device's model must have a transition for it in the state of the device at that
+     * time; else the event fails. The history shows the outcome. Nothing happens if the state has been left, or is left
      * first.
      *
      * @throws InterruptedException if the state is left while this waits for room in the queue

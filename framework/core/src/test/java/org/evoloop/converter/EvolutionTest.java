@@ -66,6 +66,32 @@ class EvolutionTest {
     }
 
     @Test
+    void aVisitSaysThatOtherModelsHaveTakenItOver() {
+        playAndFade();
+        Visit kept = fadings.get(0);
+        assertThat(kept.beginning()).isEqualTo(Visit.Beginning.NEW);
+        player.converter.evolve(Evolution.to(Player.dozing(fading(fadings))));
+        assertThat(kept.beginning()).isEqualTo(Visit.Beginning.TAKEN_OVER);
+        assertThat(kept.isActive()).isTrue();
+
+        player.converter.evolve(Evolution.to(Player.knowledge(
+                        List.of("Fading"), fading(fadings), "Paused fade -> Fading", "Fading stop -> Stopped"))
+                .withoutWayBack());
+        player.settle();
+        assertThat(fadings)
+                .as("the function is started again where the device has been sent to")
+                .doesNotContain(kept)
+                .extracting(Visit::beginning)
+                .containsExactly(Visit.Beginning.TAKEN_OVER);
+        player.press("stop");
+        player.press("play");
+        player.press("pause");
+        player.press("fade");
+        player.settle();
+        assertThat(fadings.get(0).beginning()).isEqualTo(Visit.Beginning.NEW);
+    }
+
+    @Test
     void eventsThatWaitAreDecidedByTheNextModels() {
         player.press("play");
         player.settle();

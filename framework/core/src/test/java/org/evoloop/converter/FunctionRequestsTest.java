@@ -25,10 +25,12 @@ class FunctionRequestsTest {
 
     @Test
     void aFunctionHasTheDeviceDoAnEventInOrderWithAllOthers() {
-        try (Player player = new Player(visit -> {
-            visit.send("pause");
-            visit.finish("faded");
-        })) {
+        try (Player player = new Player(
+                visit -> {
+                    visit.send("pause");
+                    visit.finish("faded");
+                },
+                "pause")) {
             player.press("play");
             player.press("fade");
             player.settle();
@@ -41,7 +43,7 @@ class FunctionRequestsTest {
 
     @Test
     void theNewModelStaysWhereItIs() {
-        try (Player player = new Player(visit -> visit.send("pause"))) {
+        try (Player player = new Player(visit -> visit.send("pause"), "pause")) {
             player.press("play");
             player.press("fade");
             player.settle();
@@ -52,13 +54,14 @@ class FunctionRequestsTest {
 
     @Test
     void whatTheDeviceCannotDoWhereItIsFailsWithItsReason() {
-        try (Player player = new Player(visit -> visit.send("play"))) {
+        try (Player player = new Player(visit -> visit.send("play"), "play")) {
             player.press("play");
             player.press("fade");
             player.settle();
             assertThat(player.last().outcome()).isEqualTo(Outcome.FAILED);
             assertThat(player.last().detail())
-                    .isEqualTo("a function asks for play, but the device has no transition for it in Playing");
+                    .isEqualTo(
+                            "the function of Fading asks for play, but the device has no transition for it in Playing");
             assertThat(player.states()).isEqualTo(at("Playing", "Fading"));
         }
     }
@@ -120,6 +123,23 @@ class FunctionRequestsTest {
         }
     }
 
+    /** Nothing is sent that the models do not say, so what was checked of them holds. */
+    @Test
+    void whatIsNotDeclaredIsRefusedWithWhereToDeclareIt() {
+        try (Player player = new Player(visit -> visit.send("stop"), "play", "pause")) {
+            player.press("play");
+            player.press("fade");
+            player.settle();
+            assertThat(player.sent).containsExactly("play");
+            assertThat(player.last().outcome()).isEqualTo(Outcome.FAILED);
+            assertThat(player.last().detail())
+                    .isEqualTo(
+                            "the function of Fading asks for stop, which Fading does not declare; draw \"sends stop\""
+                                    + " in Fading (SCXML: ev:sends=\"stop\"), or call sends(\"Fading\", \"stop\") in"
+                                    + " registerNewFunctions");
+        }
+    }
+
     @Test
     void aDeviceThatIsNotReadyKnowsTheValuesOfTheEventToCome() {
         try (Player player = new Player(NewFunction.none())) {
@@ -135,10 +155,12 @@ class FunctionRequestsTest {
 
     @Test
     void whatAnEventCarriesReachesTheFunctionAndFromThereTheDevice() {
-        try (Player player = new Player(visit -> {
-            visit.send("pause", visit.values());
-            visit.finish("faded", Values.of("seconds", 3));
-        })) {
+        try (Player player = new Player(
+                visit -> {
+                    visit.send("pause", visit.values());
+                    visit.finish("faded", Values.of("seconds", 3));
+                },
+                "pause")) {
             player.press("play");
             player.buttons.press("fade", Values.of("volume", 7));
             player.observe();

@@ -61,11 +61,12 @@ final class Player implements AutoCloseable {
         void run() throws Exception;
     }
 
-    Player(NewFunction fading) {
-        this(fading, new EventAnalyze());
+    /** @param sends what {@code fading} sends */
+    Player(NewFunction fading, String... sends) {
+        this(fading, new EventAnalyze(), sends);
     }
 
-    Player(NewFunction fading, EventAnalyze analyze) {
+    Player(NewFunction fading, EventAnalyze analyze, String... sends) {
         converter.addMonitor(buttons);
         converter.addAnalyze(analyze);
         converter.addExecute(device);
@@ -73,6 +74,9 @@ final class Player implements AutoCloseable {
             @Override
             protected void registerNewFunctions() {
                 function("Fading", fading);
+                for (String event : sends) {
+                    sends("Fading", event);
+                }
             }
         });
         converter.build();

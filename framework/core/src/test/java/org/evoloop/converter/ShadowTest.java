@@ -458,6 +458,7 @@ class ShadowTest {
         protected void registerNewFunctions() {
             guard("dark", () -> true);
             function("Wait", visit -> visit.send("dim"));
+            sends("Wait", "dim");
         }
     }
 }

@@ -91,6 +91,24 @@ class DeviceStatesTest {
     }
 
     @Test
+    void aReportCompletesItAsAnAnswerDoes() {
+        door.press("gap").begins().givenUp().found("Opening");
+        assertThat(door.core.doubt()).isEmpty();
+        door.ready().planned();
+        assertThat(door.core.at()).isEqualTo(at("Opening", "GapMoving"));
+        assertThat(isStarted()).isTrue();
+        assertThat(sent()).isEmpty();
+    }
+
+    @Test
+    void aReportDoesNotCompleteWhatTheDeviceHasLeftByItself() {
+        door.press("gap").begins().givenUp().found("Opening").own("limitOpen");
+        door.ready().planned().ready().planned();
+        assertThat(door.core.at()).isEqualTo(at("Open", "Open"));
+        assertThat(sent()).isEmpty();
+    }
+
+    @Test
     void aStepThatHadNoEffectIsNotSentAgain() {
         door.press("gap").begins().givenUp().ready().planned().located("Closed");
         assertThat(door.core.at()).isEqualTo(at("Closed", "Closed"));
@@ -158,6 +176,10 @@ class DeviceStatesTest {
         assertThat(door.said)
                 .anyMatch(output -> output instanceof Output.Ended ended
                         && ended.decision() instanceof Decision.Impossible impossible
-                        && impossible.reason().contains("state Gap does not say so; draw it there: sends press"));
+                        && impossible
+                                .reason()
+                                .equals("the function of Gap asks for press, which Gap does not declare; draw \"sends"
+                                        + " press\" in Gap (SCXML: ev:sends=\"press\"), or call sends(\"Gap\","
+                                        + " \"press\") in registerNewFunctions"));
     }
 }

@@ -30,7 +30,7 @@ class ExplorationTest {
                         scene.with(2, Act.PRESS, Act.OWN).with(1, Act.STOP),
                         scene.with(1, Act.PRESS, Act.OWN, Act.JUMP, Act.GIVE_UP),
                         scene.with(2, Act.PRESS, Act.RAISE).with(1, Act.OWN),
-                        scene.with(1, Act.PRESS, Act.ASK, Act.OWN, Act.CHANGE, Act.GIVE_UP),
+                        scene.sending().with(1, Act.PRESS, Act.ASK, Act.OWN, Act.CHANGE, Act.GIVE_UP),
                         scene.with(2, Act.PRESS, Act.FAIL).with(1, Act.OWN, Act.DISMISS),
                         scene.with(2, Act.PRESS, Act.END).with(1, Act.OWN),
                         scene.with(1, Act.PRESS, Act.RAISE, Act.STOP, Act.END))
@@ -69,7 +69,7 @@ class ExplorationTest {
         return Stream.of(
                         scene.with(4, Act.PRESS),
                         scene.with(3, Act.PRESS).with(1, Act.OWN, Act.STOP),
-                        scene.with(2, Act.PRESS).with(1, Act.RAISE, Act.ASK, Act.FAIL),
+                        scene.sending().with(2, Act.PRESS).with(1, Act.RAISE, Act.ASK, Act.FAIL),
                         scene.with(2, Act.PRESS, Act.GIVE_UP).with(1, Act.OWN),
                         scene.with(2, Act.PRESS).with(1, Act.GIVE_UP, Act.DISMISS, Act.END))
                 .flatMap(ExplorationTest::bestAndWorst);
@@ -104,7 +104,7 @@ class ExplorationTest {
                         scene.with(2, Act.PRESS).with(1, Act.OWN, Act.STOP, Act.FAIL),
                         scene.with(2, Act.OWN).with(1, Act.PRESS, Act.GIVE_UP),
                         scene.with(1, Act.PRESS, Act.JUMP, Act.GIVE_UP),
-                        scene.with(1, Act.PRESS, Act.OWN, Act.ASK),
+                        scene.sending().with(1, Act.PRESS, Act.OWN, Act.ASK),
                         scene.with(2, Act.OWN).with(1, Act.PRESS, Act.END),
                         scene.with(1, Act.PRESS, Act.RAISE, Act.STOP, Act.END),
                         scene.onFailure(OnFailure.GO_BACK).with(2, Act.OWN).with(1, Act.PRESS, Act.FAIL),
@@ -196,7 +196,7 @@ class ExplorationTest {
                         scene.with(1, Act.EVOLVE, Act.PRESS, Act.OWN, Act.GIVE_UP),
                         scene.with(1, Act.EVOLVE, Act.PRESS, Act.OWN, Act.JUMP),
                         scene.with(2, Act.PRESS).with(1, Act.EVOLVE, Act.STOP, Act.END, Act.OWN),
-                        scene.with(1, Act.PRESS, Act.ASK, Act.EVOLVE, Act.FAIL, Act.END)))
+                        scene.sending().with(1, Act.PRESS, Act.ASK, Act.EVOLVE, Act.FAIL, Act.END)))
                 .flatMap(ExplorationTest::bestAndWorst);
     }
 

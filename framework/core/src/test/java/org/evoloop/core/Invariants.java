@@ -409,10 +409,13 @@ final class Invariants {
     /** A step whose effect was unknown has taken the device to where its plan leads: then the transition is taken. */
     private String anInterruptedPlanEndsWhereItLed() {
         Doubt doubt = before.doubt();
-        Decision interrupted = doubt == null || doubt.settled() ? null : doubt.interrupted();
+        Decision interrupted = doubt == null ? null : doubt.interrupted();
+        boolean decided =
+                input instanceof Input.Located || (input instanceof Input.Planned && isOfReport(before.work()));
         if (interrupted == null
-                || !(input instanceof Input.Located)
+                || !decided
                 || isInDoubt(after)
+                || (after.doubt() != null && after.doubt().interrupted() != null)
                 || !before.at().evolved().equals(interrupted.before().evolved())
                 || !isWhereNeeded(interrupted.after().withOriginal(after.at().original()))) {
             return "";
@@ -422,6 +425,10 @@ final class Invariants {
         return goesOn || after.at().evolved().equals(interrupted.after().evolved())
                 ? ""
                 : "interrupted: " + interrupted + " ends in " + after.at();
+    }
+
+    private static boolean isOfReport(@Nullable Work work) {
+        return work != null && work.pending().occurrence() instanceof Occurrence.Found;
     }
 
     /** No function runs while the device may be sent to where the new model is; a closed converter sends nothing. */

@@ -18,10 +18,10 @@ import org.junit.jupiter.api.Test;
 
 /**
  * What models without device states mean does not change: every decision on random pairs, in every pair of states, as a
- * digest. Change it only if the paper's algorithm is understood differently on purpose.
+ * digest, except what functions ask for. Change it only if the paper's algorithm is understood differently on purpose.
  */
 class SameDecisionsTest {
-    private static final String BEFORE = "3300cf0568fd650d64c8175c02b6a52e0faaa106b61e4d20e009866ea73b9143";
+    private static final String BEFORE = "0f88cd50ff72b703da55629fead83483431740335736750f8537030da05c89b7";
     private static final int PAIRS = 500;
 
     @Test
@@ -53,7 +53,6 @@ class SameDecisionsTest {
             all.add(table.decide(at, event, false));
             all.add(table.decide(at, event, true));
             all.add(table.react(at, event, table.ownStep(at.original(), event, guard -> false), true));
-            all.add(table.ask(at, event, guard -> false));
         }
         table.models().original().states().forEach(found -> all.add(table.find(at, found)));
         all.add(table.settle(at));

@@ -271,6 +271,33 @@ record Scene(
         return new Scene(name, rules, next, mapping, all, own, others, inOrder, canLocate, times);
     }
 
+    /** The same scene in which the functions of new states may send whatever can be sent. */
+    Scene sending() {
+        return new Scene(
+                name + ", sending",
+                sending(rules),
+                sending(next),
+                mapping,
+                presses,
+                own,
+                raised,
+                inOrder,
+                canLocate,
+                times);
+    }
+
+    private static Rules sending(Rules silent) {
+        ModelPair pair = silent.table().models();
+        DeviceEvents device = silent.table().device();
+        StateMachine evolved = pair.evolved();
+        for (State state : pair.evolved().states()) {
+            for (Event event : pair.isNew(state) ? device.sendable() : Set.<Event>of()) {
+                evolved = evolved.withSends(state, event);
+            }
+        }
+        return silent.with(DecisionTable.compile(new ModelPair(pair.original(), evolved), device));
+    }
+
     /** The same scene with this reaction to a failed step of a plan. */
     Scene onFailure(OnFailure then) {
         ModelPair pair = rules.table().models();

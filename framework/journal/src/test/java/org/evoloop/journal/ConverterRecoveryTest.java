@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.stream.LongStream;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.function.Visit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -51,6 +52,23 @@ class ConverterRecoveryTest {
         assertThat(robot.states()).isEqualTo("(Clean, SpotWait)");
         assertThat(robot.sent).containsExactly("Clean", "Clean");
         assertThat(robot.outcomes()).containsExactly("Clean HANDLED", "Clean HANDLED", "Clean HANDLED");
+    }
+
+    @Test
+    void aVisitThatAnotherProcessGoesOnWithIsResumed() throws Exception {
+        for (int press = 0; press < 3; press++) {
+            robot.press("Clean");
+            robot.settle();
+        }
+        robot.copyAndRevive();
+        robot.converter.start();
+        robot.settle();
+        assertThat(robot.states()).isEqualTo("(Clean, SpotWait)");
+
+        robot.converter.stop();
+        robot.converter.start();
+        robot.settle();
+        assertThat(robot.waits).containsExactly(Visit.Beginning.NEW, Visit.Beginning.RESUMED, Visit.Beginning.RESUMED);
     }
 
     @Test

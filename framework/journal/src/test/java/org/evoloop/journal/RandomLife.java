@@ -194,6 +194,7 @@ final class RandomLife implements AutoCloseable {
                 });
                 visit.finishAfter(Duration.ofMillis(random.nextInt(6_000)), "faded");
             });
+            OWN.forEach(event -> sends("Fading", event));
             function("Dozing", visit -> {});
             function("Napping", visit -> {});
         }

@@ -15,7 +15,7 @@ import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Step;
-import org.evoloop.function.NewFunction;
+import org.evoloop.function.Visit;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.State;
 import org.evoloop.time.ManualClock;
@@ -24,6 +24,10 @@ import org.evoloop.time.ManualClock;
 final class Robots implements AutoCloseable {
     final List<String> sent = new ArrayList<>();
     final List<String> done = new ArrayList<>();
+
+    /** How the visits of SpotWait began. */
+    final List<Visit.Beginning> waits = new ArrayList<>();
+
     ManualClock clock;
     SystemEventConverter converter;
     Buttons buttons;
@@ -78,7 +82,7 @@ final class Robots implements AutoCloseable {
         protected void registerNewFunctions() {
             if (models().evolved().hasState(new State("SpotWait"))) {
                 timer("SpotWait", "timeout", Duration.ofSeconds(5));
-                function("SpotWait", NewFunction.none());
+                function("SpotWait", visit -> waits.add(visit.beginning()));
             }
             function("Move", visit -> done.add("move"));
             effect("beep", () -> {

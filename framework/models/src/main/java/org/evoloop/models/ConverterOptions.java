@@ -24,6 +24,13 @@ final class ConverterOptions {
     private @Nullable List<String> functions;
 
     @Option(
+            names = "--sends",
+            split = ",",
+            paramLabel = "STATE=EVENT",
+            description = "What functions may send besides what the new model says, as their code declares it.")
+    private List<String> sends = List.of();
+
+    @Option(
             names = "--raised",
             split = ",",
             paramLabel = "EVENT",
@@ -56,6 +63,9 @@ final class ConverterOptions {
             Set<String> states = KnownNames.states(pair.evolved());
             input = input.withFunctions(KnownNames.resolve("--functions", functions, states, "state of the new model"));
         }
+        for (String send : sends) {
+            input = sending(input, send);
+        }
         if (raised != null) {
             Set<String> events = ofBoth(pair, machine -> names(machine.triggers(), Event::name));
             input = input.withRaised(KnownNames.resolve("--raised", raised, events, "event of either model"));
@@ -69,6 +79,24 @@ final class ConverterOptions {
             input = input.withEffects(KnownNames.resolve("--effects", effects, texts, "effect of either model"));
         }
         return input;
+    }
+
+    private static CheckInput sending(CheckInput input, String send) {
+        int sign = send.lastIndexOf('=');
+        if (sign < 0) {
+            throw new IllegalArgumentException("--sends: write STATE=EVENT, not " + send);
+        }
+        ModelPair pair = input.pair();
+        Set<String> states = KnownNames.states(pair.evolved());
+        pair.original().states().forEach(state -> states.remove(state.name()));
+        Set<String> events = names(pair.original().triggers(), Event::name);
+        String state = only(send.substring(0, sign), states, "new state");
+        return input.withSends(state, only(send.substring(sign + 1), events, "event of the original model"));
+    }
+
+    private static String only(String given, Set<String> known, String what) {
+        KnownNames.resolve("--sends", List.of(given), known, what);
+        return given.strip();
     }
 
     private static Set<String> ofBoth(ModelPair pair, Function<StateMachine, Set<String>> names) {

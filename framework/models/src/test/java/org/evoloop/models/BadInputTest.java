@@ -70,6 +70,9 @@ class BadInputTest {
     @Test
     void whatTheConverterIsSaidToHaveMustStandInAModel() {
         assertRefused(Tool.run("check", ORIGINAL, NEW, "--functions", "Move,Wait"), "--functions", "Wait", "SpotWait");
+        assertRefused(Tool.run("check", ORIGINAL, NEW, "--sends", "Move"), "--sends", "STATE=EVENT");
+        assertRefused(Tool.run("check", ORIGINAL, NEW, "--sends", "On=Clean"), "--sends", "new state", "On", "Move");
+        assertRefused(Tool.run("check", ORIGINAL, NEW, "--sends", "Move=Dock"), "--sends", "Dock", "Clean");
         assertRefused(Tool.run("check", ORIGINAL, NEW, "--raised", "arrive,Clean"), "--raised", "arrive", "arriveSpot");
         assertRefused(Tool.run("check", ORIGINAL, NEW, "--guards", "hot"), "--guards", "hot", "none");
         assertRefused(Tool.run("check", ORIGINAL, NEW, "--effects", "beep"), "--effects", "beep", "none");

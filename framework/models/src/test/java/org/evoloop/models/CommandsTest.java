@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
@@ -224,6 +225,20 @@ class CommandsTest {
         assertThat(unbound.status()).isEqualTo(1);
         assertThat(unbound.out())
                 .contains("no-function: new state SpotWait", "unraised-event: nobody raises event arriveSpot");
+    }
+
+    @Test
+    void checkReckonsWithWhatOnlyTheCodeDeclares(@TempDir Path folder) throws IOException {
+        Path properties =
+                Files.writeString(folder.resolve("p.txt"), "Still: always (function Move implies device On)\n");
+        String[] check = {"check", ORIGINAL, NEW, "--spontaneous", "endSpot", "--properties", properties.toString()};
+
+        assertThat(Tool.run(check).out()).doesNotContain("unknown-property");
+        String[] sending = Arrays.copyOf(check, check.length + 2);
+        sending[check.length] = "--sends";
+        sending[check.length + 1] = "Move=Clean,Move=Spot";
+        assertThat(Tool.run(sending).out())
+                .contains("unknown-property: 'Still'", "the function of Move may send events");
     }
 
     /** A guard may contain commas, which also separate the guards in an option's list. */

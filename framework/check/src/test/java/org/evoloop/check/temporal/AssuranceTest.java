@@ -16,8 +16,13 @@ import org.junit.jupiter.params.provider.ValueSource;
  * checker.
  */
 class AssuranceTest {
-    private static final CheckInput INPUT = CheckInput.of(OutlookTest.ROBOT).withOwnEvents(Set.of("endSpot"));
-    private static final DecisionTable TABLE = DecisionTable.compile(OutlookTest.ROBOT, INPUT.device());
+    private static final CheckInput INPUT = CheckInput.of(OutlookTest.ROBOT)
+            .withOwnEvents(Set.of("endSpot"))
+            .withSends("Move", "Clean")
+            .withSends("Move", "Spot")
+            .withSends("SpotWait", "Clean")
+            .withSends("SpotWait", "Spot");
+    private static final DecisionTable TABLE = DecisionTable.compile(INPUT.pair(), INPUT.device());
 
     private static final Assurance SILENT =
             new Assurance(new MomentGraph(new PairGraph(OutlookTest.ROBOT.initial(), TABLE)), OutlookTest.ROBOT);

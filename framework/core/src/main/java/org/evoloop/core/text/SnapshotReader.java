@@ -29,8 +29,8 @@ final class SnapshotReader {
     /** A visit goes on or is over; or it goes on, and its function has yet to be started. */
     static final List<String> VISITS = List.of("on", "over", "unstarted");
 
-    /** A doubt is open or settled; or it is open, and has interrupted the decision that follows. */
-    static final List<String> DOUBTS = List.of("open", "settled", "interrupted");
+    /** A doubt is open or settled, by a report if that is still to be decided; with or without an interrupted decision. */
+    static final List<String> DOUBTS = List.of("open", "settled", "interrupted", "reported");
 
     private final Items items;
     private final Names names;
@@ -179,7 +179,7 @@ final class SnapshotReader {
         String why = ended(items.text());
         Step step = step("step");
         List<Occurrence> meanwhile = meanwhile();
-        return new Doubt(why, number, step, stepsBefore, meanwhile, which == 1, which == 2 ? decision() : null);
+        return new Doubt(why, number, step, stepsBefore, meanwhile, which % 2 == 1, which > 1 ? decision() : null);
     }
 
     private @Nullable Work work() {

@@ -172,7 +172,7 @@ final class SnapshotWriter {
         items.beginSome("doubt")
                 .number(doubt.number())
                 .number(doubt.stepsBefore())
-                .choice(doubt.interrupted() != null ? 2 : doubt.settled() ? 1 : 0, SnapshotReader.DOUBTS)
+                .choice((doubt.settled() ? 1 : 0) + (doubt.interrupted() != null ? 2 : 0), SnapshotReader.DOUBTS)
                 .text(doubt.why())
                 .end();
         step("step", doubt.step());

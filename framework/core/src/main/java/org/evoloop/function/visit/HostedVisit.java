@@ -29,6 +29,7 @@ public final class HostedVisit implements Visit {
     static final int MOST_TIMERS = 10_000;
 
     private volatile State state;
+    private volatile Beginning beginning;
     private final long number;
     private final Values values;
     private final VisitHost host;
@@ -79,8 +80,9 @@ public final class HostedVisit implements Visit {
      * @param number counts the visits of all states, from 1
      * @param values those of the event with which the state was entered
      */
-    public HostedVisit(State state, long number, Values values, VisitHost host) {
+    public HostedVisit(State state, Beginning beginning, long number, Values values, VisitHost host) {
         this.state = state;
+        this.beginning = beginning;
         this.number = number;
         this.values = values;
         this.host = host;
@@ -89,11 +91,17 @@ public final class HostedVisit implements Visit {
     /** Continues the visit in a state of other models. */
     public void goOnIn(State next) {
         state = next;
+        beginning = Beginning.TAKEN_OVER;
     }
 
     @Override
     public State state() {
         return state;
+    }
+
+    @Override
+    public Beginning beginning() {
+        return beginning;
     }
 
     @Override

@@ -79,7 +79,7 @@ class FunctionRunnerTest {
         CountDownLatch started = new CountDownLatch(1);
         AtomicBoolean cleanedUp = new AtomicBoolean();
         AtomicBoolean over = new AtomicBoolean();
-        runner.begin(new HostedVisit(new State("Move"), 1, Values.NONE, host));
+        runner.begin(new HostedVisit(new State("Move"), Visit.Beginning.NEW, 1, Values.NONE, host));
         runner.run(visit -> {
             started.countDown();
             try {
@@ -109,7 +109,7 @@ class FunctionRunnerTest {
         FunctionRunner runner = new FunctionRunner(host, Duration.ofSeconds(20));
         CountDownLatch ending = new CountDownLatch(1);
         CountDownLatch atLast = new CountDownLatch(1);
-        HostedVisit first = new HostedVisit(new State("Move"), 1, Values.NONE, host);
+        HostedVisit first = new HostedVisit(new State("Move"), Visit.Beginning.NEW, 1, Values.NONE, host);
         runner.begin(first);
         first.onEnd(() -> {
             ending.countDown();
@@ -119,7 +119,7 @@ class FunctionRunnerTest {
         late.start();
         ending.await();
 
-        HostedVisit second = new HostedVisit(new State("Move"), 2, Values.NONE, host);
+        HostedVisit second = new HostedVisit(new State("Move"), Visit.Beginning.NEW, 2, Values.NONE, host);
         runner.begin(second);
         CountDownLatch started = new CountDownLatch(1);
         AtomicBoolean interrupted = new AtomicBoolean();
@@ -155,7 +155,7 @@ class FunctionRunnerTest {
     @Timeout(60)
     void aFunctionDoesNotStartIfItsStateIsLeftAtThatMoment() throws InterruptedException {
         FunctionRunner runner = new FunctionRunner(host, Duration.ofSeconds(20));
-        runner.begin(new HostedVisit(new State("Move"), 1, Values.NONE, host));
+        runner.begin(new HostedVisit(new State("Move"), Visit.Beginning.NEW, 1, Values.NONE, host));
         Thread leaving = new Thread(runner::end);
         noticed = () -> {
             leaving.start();

@@ -34,7 +34,7 @@ public final class VisitLog implements VisitHost {
     }
 
     public HostedVisit visit() {
-        return new HostedVisit(new State("Move"), ++visits, Values.NONE, this);
+        return new HostedVisit(new State("Move"), Visit.Beginning.NEW, ++visits, Values.NONE, this);
     }
 
     @Override

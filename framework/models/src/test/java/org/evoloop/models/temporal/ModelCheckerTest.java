@@ -25,6 +25,8 @@ import org.evoloop.check.temporal.MomentGraph;
 import org.evoloop.check.temporal.Outlook;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -64,7 +66,12 @@ class ModelCheckerTest {
         Random random = new Random(seed);
         ModelPair pair = RandomModels.pair(random);
         CheckInput input = CheckInput.of(pair);
-        DecisionTable table = DecisionTable.compile(pair, input.device());
+        for (State state : pair.evolved().states()) {
+            for (Event event : pair.isNew(state) ? input.device().sendable() : Set.<Event>of()) {
+                input = input.withSends(state.name(), event.name());
+            }
+        }
+        DecisionTable table = DecisionTable.compile(input.pair(), input.device());
         MomentGraph graph = MomentGraph.withSends(table, FunctionSends.possible(input), 1_000)
                 .orElseThrow();
         MomentGraph silent = new MomentGraph(new PairGraph(pair.initial(), table));
