@@ -163,7 +163,7 @@ inline completes_by_report() {
   :: IS_REPORTED ->
     if
 #ifndef A_DOUBT_FORGETS_ITS_DECISION
-    :: KIND(plan) == RESYNCHRONIZATION && COMPLETES(device_at) -> plan = WITHOUT_STEPS(doubt_plan)
+    :: work.kind == FOUND && KIND(plan) == RESYNCHRONIZATION && COMPLETES(device_at) -> plan = WITHOUT_STEPS(doubt_plan)
 #endif
     :: else -> skip
     fi;

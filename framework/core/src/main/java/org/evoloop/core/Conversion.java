@@ -64,7 +64,9 @@ abstract sealed class Conversion extends Arrivals permits Core {
         }
         ledger.place.doubt(last.settled(true));
         Decision completed = ledger.completed(last, ledger.place.at().original());
-        return completed != null && usual instanceof Decision.Resynchronization ? completed : usual;
+        boolean isReport =
+                pending.occurrence() instanceof Occurrence.Found && usual instanceof Decision.Resynchronization;
+        return completed != null && isReport ? completed : usual;
     }
 
     private void decide(Decision decision) {

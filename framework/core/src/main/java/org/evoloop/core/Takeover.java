@@ -44,8 +44,9 @@ final class Takeover {
         } else if (!ledger.progress.isIdle() || ledger.line.holdsRetry()) {
             return "an event is in progress";
         }
-        boolean open = doubt != null && (!doubt.settled() || doubt.isReported());
-        return open ? "the device's state is in doubt: " + doubt.why() : "";
+        return doubt != null && (!doubt.settled() || doubt.isReported())
+                ? "the device's state is in doubt: " + doubt.why()
+                : "";
     }
 
     /** Lets the models take over; does nothing if anything {@linkplain #hindrance prevents} that. */
