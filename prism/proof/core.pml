@@ -36,8 +36,9 @@
 /* A doubt: the state is unknown, or the device has reported it since, but the step's effect may still be reported. */
 #define UNSETTLED 1
 #define SETTLED 2
-/* In what is told: an unsettled one that remembers the decision which it interrupted. */
+/* In what is told, those that remember the decision which they interrupted: an unsettled one; one that a report has settled. */
 #define REMEMBERING 3
+#define REPORTED 4
 
 /* The number of steps sent since a doubt arose. */
 #define SAME 0
@@ -134,7 +135,7 @@ hidden byte entries; /* visits that began during the current input */
 hidden byte kept_fact[FACTS];
 hidden byte noted_id, noted_event, noted_source, noted_system, ended_kind, timer;
 hidden int noted_plan;
-hidden byte flag, completes, sure, as_planned, goes_on, leaves, possible, was_sending;
+hidden byte flag, completes, was_in_doubt, sure, as_planned, goes_on, leaves, possible, was_sending;
 hidden int code;
 
 #define COPY(to, from_) to.id = from_.id; to.kind = from_.kind; to.what = from_.what; to.source = from_.source; \
@@ -201,6 +202,9 @@ inline find(state) {
 
 /* Whether the decision table has this pair of states, so that the new model would not follow if the device were found there. */
 #define STANDS_TOGETHER(device, system) (find_table[IX(pair, device, system, 0)] == system)
+
+/* Ledger.followIfApart */
+inline follow_if_apart() { owed = owed || !STANDS_TOGETHER(device_at, system_at) }
 
 /* DecisionTable.isWhereNeeded: whether a new state needs the device elsewhere. */
 #define NEEDS_IT_ELSEWHERE(device, system) elsewhere_table[IX(pair, device, system, 0)]
@@ -375,13 +379,18 @@ inline no_doubt() {
   od
 }
 
+/* Ledger.completed: whether the interrupted plan has come to its end in `state`, and the new model has not moved since. */
+#define COMPLETES(state) (doubt_plan != 0 && doubt_system == system_at && !NEEDS_IT_ELSEWHERE(state, AFTER(doubt_plan)))
+
+/* A device that has reported its state, which completes what was interrupted, and has not had its turn. */
+#define IS_REPORTED (doubt == SETTLED && doubt_plan != 0)
+
 /* A doubt that is about no step ends when it is settled. */
 inline settle_doubt() {
   if
   :: doubt == UNSETTLED && doubt_event == NONE -> no_doubt()
-  :: else ->
-    doubt = (doubt == UNSETTLED -> SETTLED : doubt);
-    forget_plan()
+  :: doubt == UNSETTLED && doubt_event != NONE -> doubt = SETTLED; forget_plan()
+  :: else -> skip
   fi
 }
 
@@ -393,6 +402,7 @@ inline contradicted() {
   :: else ->
     doubt = UNSETTLED;
     doubt_steps = NEVER_KNOWN;
+    forget_plan();
     ask_where()
   fi
 }
@@ -583,7 +593,7 @@ inline count_facts() {
 
 inline tell_state() {
   printf("= %d %d %d %d %d %d %d %d", open, device_at, system_at, pair, over, armed, stepped, owed + 2 * start_owed);
-  printf(" doubt %d %d %d %d", (doubt_plan != 0 -> REMEMBERING : doubt), doubt_id, doubt_steps, doubt_facts);
+  printf(" doubt %d %d %d %d", (doubt_plan != 0 -> (doubt == SETTLED -> REPORTED : REMEMBERING) : doubt), doubt_id, doubt_steps, doubt_facts);
   printf(" work %d %d %d %d %d %d", busy, decided, plan, stage, taken, facts);
   TELL_PENDING(work);
   k = 0;

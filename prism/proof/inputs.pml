@@ -172,16 +172,24 @@ inline observed_found(state, late) {
   if
   :: late && stepped -> end_unheard()
   :: else ->
+    was_in_doubt = doubt == UNSETTLED;
+    completes = was_in_doubt && COMPLETES(state);
+    noted_plan = doubt_plan;
     happens_meanwhile(FOUND_IN + (state));
     settle_doubt();
     if
-    :: (state) != device_at ->
+    :: completes -> doubt_plan = noted_plan; doubt_system = system_at
+    :: else -> skip
+    fi;
+    if
+    :: completes || (state) != device_at ->
       at_state = device_at;
       make(FOUND, state, DEVICE, ANY, 0);
 #ifndef FACTS_WAIT_FOR_THEIR_TURN
       device_at = next_one.what;
 #endif
       enqueue(at_state, NONE)
+    :: !completes && (state) == device_at && was_in_doubt -> follow_if_apart()
     :: else -> skip
     fi;
     begun = entries;

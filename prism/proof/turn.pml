@@ -140,6 +140,7 @@ inline planned(id_, plan_, start, system) {
 #else
       plan = plan_;
 #endif
+      completes_by_report();
       decided = 1;
       late = work.later;
       taken = 0;
@@ -152,6 +153,21 @@ inline planned(id_, plan_, start, system) {
       fi;
       go_on()
     fi
+  :: else -> skip
+  fi
+}
+
+/* Conversion.reported: a report of the device's state may complete what was interrupted, as its answer does. */
+inline completes_by_report() {
+  if
+  :: IS_REPORTED ->
+    if
+#ifndef A_DOUBT_FORGETS_ITS_DECISION
+    :: work.kind == FOUND && KIND(plan) == RESYNCHRONIZATION && COMPLETES(device_at) -> plan = WITHOUT_STEPS(doubt_plan)
+#endif
+    :: else -> skip
+    fi;
+    forget_plan()
   :: else -> skip
   fi
 }
@@ -280,7 +296,7 @@ inline took_late(id_, in_order) {
       fi
     :: else ->
       if
-      :: doubt == SETTLED -> doubt = UNSETTLED; ask_where()
+      :: doubt == SETTLED -> doubt = UNSETTLED; forget_plan(); ask_where()
       :: else -> skip
       fi
     fi
@@ -415,8 +431,6 @@ inline given_up(id_) {
   fi
 }
 
-/* Conversion.complete: whether the interrupted plan has come to its end, and the new model has not moved since. */
-#define COMPLETES(state) (doubt_plan != 0 && doubt_system == system_at && !NEEDS_IT_ELSEWHERE(state, AFTER(doubt_plan)))
 #ifdef A_DOUBT_FORGETS_ITS_DECISION
 #define DOES_NOT_COMPLETE true
 #else
@@ -426,6 +440,8 @@ inline given_up(id_) {
 /* The transition is taken after all, and nothing is sent. */
 inline complete(state) {
   device_at = state;
+  count_facts();
+  owed = owed || j > 0;
   if
   :: LEAVES(noted_plan) -> leave()
   :: else -> skip
@@ -458,7 +474,7 @@ inline located(id_, state) {
 #ifndef A_DOUBT_FORGETS_ITS_DECISION
       :: completes -> complete(state)
 #endif
-      :: DOES_NOT_COMPLETE && (state) == device_at -> conclude(false)
+      :: DOES_NOT_COMPLETE && (state) == device_at -> follow_if_apart(); conclude(false)
       :: DOES_NOT_COMPLETE && (state) != device_at ->
         find(state);
         if
@@ -495,7 +511,7 @@ inline changed() { ask_where() }
 #define RETRY_WAITS (line[0].attempts > 0 || line[1].attempts > 0)
 
 /* Whether other models can take over; see Core.hindrance. */
-#define UNHINDERED (!busy && !RETRY_WAITS && doubt != UNSETTLED && POSSIBLE(FATE))
+#define UNHINDERED (!busy && !RETRY_WAITS && doubt != UNSETTLED && !IS_REPORTED && POSSIBLE(FATE))
 
 inline evolved() {
   if

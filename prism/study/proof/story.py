@@ -3,7 +3,7 @@
 from study.proof.sequence import Names
 
 _STAGES = ("READY", "SENDING", "INTERRUPTED", "RESUMED")
-_DOUBTS = ("sure", "doubt", "settled", "remembering")
+_DOUBTS = ("sure", "doubt", "settled", "remembering", "reported")
 _OWED = ("-", "owed", "start", "owed-start")
 
 

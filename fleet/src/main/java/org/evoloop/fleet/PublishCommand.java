@@ -27,6 +27,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         sortOptions = false)
 final class PublishCommand implements Callable<Integer> {
+    private static final Pattern USE = Pattern.compile("(.+):(.+)");
     private static final Pattern TIMER = Pattern.compile("(.+):(.+):(\\d{1,12})");
 
     @Spec
@@ -68,6 +69,19 @@ final class PublishCommand implements Callable<Integer> {
                     "A state raises an event after MS milliseconds; in addition to the time triggers in the diagrams.")
     private List<String> timers = new ArrayList<>();
 
+    @Option(
+            names = "--device-state",
+            paramLabel = "STATE:STATE",
+            description =
+                    "A new state needs the device in this one of its states; in addition to what the diagrams say.")
+    private List<String> deviceStates = new ArrayList<>();
+
+    @Option(
+            names = "--sends",
+            paramLabel = "STATE:EVENT",
+            description = "The function of a new state may send this event; in addition to what the diagrams say.")
+    private List<String> sends = new ArrayList<>();
+
     @Override
     public Integer call() throws InterruptedException {
         byte[] record = new ModelRecord(
@@ -76,6 +90,7 @@ final class PublishCommand implements Callable<Integer> {
                         original,
                         evolved,
                         timers.stream().map(PublishCommand::timer).toList(),
+                        uses(),
                         ModelRecord.QUEUE)
                 .bytes();
         ModelRecord.read(version, record);
@@ -87,6 +102,27 @@ final class PublishCommand implements Callable<Integer> {
         cluster.write(Topic.MODELS, Map.of(version, record));
         spec.commandLine().getOut().println("the models " + version + " are published");
         return 0;
+    }
+
+    private List<ModelRecord.Use> uses() {
+        List<ModelRecord.Use> uses = new ArrayList<>();
+        for (String text : deviceStates) {
+            Matcher parts = use("--device-state", text, "Gap:StopUp");
+            uses.add(new ModelRecord.Use(parts.group(1), parts.group(2), List.of()));
+        }
+        for (String text : sends) {
+            Matcher parts = use("--sends", text, "Soon:brew");
+            uses.add(new ModelRecord.Use(parts.group(1), "", List.of(parts.group(2))));
+        }
+        return uses;
+    }
+
+    private static Matcher use(String option, String text, String example) {
+        Matcher parts = USE.matcher(text);
+        if (!parts.matches()) {
+            throw new IllegalArgumentException(option + " is '" + text + "'; write two names, such as " + example);
+        }
+        return parts;
     }
 
     private static ModelRecord.Timer timer(String text) {

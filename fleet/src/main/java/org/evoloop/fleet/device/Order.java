@@ -13,7 +13,7 @@ import org.evoloop.evolution.Values;
  * @param values the occurrence's values
  * @param deadlineNanos the time after which it must not be carried out, in nanoseconds since 1970
  * @param visit the number of the evolved system's current visit to a state
- * @param function whether the function that runs in that visit continues meanwhile
+ * @param function whether the function that runs in that visit, or has yet to be started, continues meanwhile
  * @param from the state of the device, as far as is known
  * @param to the state to which an event leads; else the same
  * @since 0.1

@@ -19,18 +19,31 @@ final class Json {
     private static final int DECIMAL = 10;
     private static final int DIGITS_OF_LONG = 19;
     private static final int ASCII = 0x80;
-    private static final byte[] BEGIN = ("{\"schema\":" + Wire.SCHEMA).getBytes(StandardCharsets.US_ASCII);
+    private static final byte[] BEGIN = begin(Wire.SCHEMA);
 
     private byte[] bytes;
     private int length;
 
     /** A record. */
     Json() {
+        this(BEGIN);
+    }
+
+    /** A record of this schema. */
+    Json(int schema) {
+        this(begin(schema));
+    }
+
+    private Json(byte[] begin) {
         byte[] spare = SPARE.get();
         bytes = spare == null ? new byte[CAPACITY] : spare;
         SPARE.set(null);
-        length = BEGIN.length;
-        System.arraycopy(BEGIN, 0, bytes, 0, length);
+        length = begin.length;
+        System.arraycopy(begin, 0, bytes, 0, length);
+    }
+
+    private static byte[] begin(int schema) {
+        return ("{\"schema\":" + schema).getBytes(StandardCharsets.US_ASCII);
     }
 
     /** Begins an object in this one; {@link #end} ends it. */

@@ -17,6 +17,7 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.fleet.device.Model;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.xmi.ModelFile;
@@ -29,11 +30,21 @@ import org.evoloop.xmi.ModelFile;
  * @param original the name of the device's state machine in it
  * @param evolved the name of the wanted state machine in it
  * @param timers the timers of states, in addition to those in the diagrams
+ * @param uses what new states need of the device, in addition to what is drawn: what a program declares in code
  * @param queueCapacity how many events of controllers may wait
  * @since 0.1
  */
 public record ModelRecord(
-        String file, String text, String original, String evolved, List<Timer> timers, int queueCapacity) {
+        String file,
+        String text,
+        String original,
+        String evolved,
+        List<Timer> timers,
+        List<Use> uses,
+        int queueCapacity) {
+    /** The schema of a record with uses: who does not know them would decide otherwise, and must refuse it. */
+    private static final int USES = 2;
+
     /** The default queue capacity. */
     public static final int QUEUE = 8;
 
@@ -46,19 +57,43 @@ public record ModelRecord(
     /** An event raised {@code millis} after {@code state} is entered. */
     public record Timer(String state, String event, long millis) {}
 
+    /**
+     * What a new state needs of the device.
+     *
+     * @param device where it must be; empty if that is not said
+     * @param sends what the state's function may send to it
+     */
+    public record Use(String state, String device, List<String> sends) {}
+
+    /** One without uses. */
+    public ModelRecord(
+            String file, String text, String original, String evolved, List<Timer> timers, int queueCapacity) {
+        this(file, text, original, evolved, timers, List.of(), queueCapacity);
+    }
+
     /** Parses the result of {@link #bytes}. */
     static ModelRecord of(Reading record) {
         List<Timer> timers = record.each("timers").stream()
                 .map(timer -> new Timer(timer.text("state"), timer.text("event"), timer.number("millis")))
                 .toList();
         return new ModelRecord(
-                record.text("file"), record.text("text"), record.text("original"), record.text("new"), timers, (int)
-                        Math.max(0, Math.min(MOST_WAITING, record.number("queue", QUEUE))));
+                record.text("file"),
+                record.text("text"),
+                record.text("original"),
+                record.text("new"),
+                timers,
+                record.each("uses").stream().map(ModelRecord::use).toList(),
+                (int) Math.max(0, Math.min(MOST_WAITING, record.number("queue", QUEUE))));
+    }
+
+    private static Use use(Reading use) {
+        List<String> sends = use.texts("sends");
+        return new Use(use.text("state"), use.text("device", ""), sends == null ? List.of() : sends);
     }
 
     /** The record. */
     public byte[] bytes() {
-        Json json = new Json()
+        Json json = (uses.isEmpty() ? new Json() : new Json(USES))
                 .with("file", file)
                 .with("original", original)
                 .with("new", evolved)
@@ -72,6 +107,17 @@ public record ModelRecord(
                     .end();
         }
         json.endList();
+        if (!uses.isEmpty()) {
+            json.beginList("uses");
+            for (Use use : uses) {
+                json.element()
+                        .with("state", use.state)
+                        .withText("device", use.device)
+                        .with("sends", use.sends)
+                        .end();
+            }
+            json.endList();
+        }
         return json.with("text", text).bytes();
     }
 
@@ -86,7 +132,7 @@ public record ModelRecord(
                     Refusal.Reason.UNUSABLE_MODEL,
                     "'" + version + "' is not a version of models; use letters, digits, '.', '_' and '-', 100 at most");
         }
-        ModelRecord record = of(Reading.of(bytes));
+        ModelRecord record = of(Reading.of(bytes, USES));
         try {
             return new Model(version, record.rules());
         } catch (ModelException e) {
@@ -96,7 +142,7 @@ public record ModelRecord(
 
     private Rules rules() {
         ModelFile models = ModelFile.read(file, new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
-        ModelPair pair = new ModelPair(models.pick(original), models.pick(evolved));
+        ModelPair pair = using(new ModelPair(models.pick(original), models.pick(evolved)));
         pair.requireValid();
         DecisionTable table = DecisionTable.compile(pair, device(pair.original()));
         if (!table.problems().isEmpty()) {
@@ -112,10 +158,48 @@ public record ModelRecord(
         return new Rules(table, state -> byState.getOrDefault(state, Map.of()), queueCapacity);
     }
 
+    private ModelPair using(ModelPair drawn) {
+        StateMachine evolved = drawn.evolved();
+        for (Use use : uses) {
+            List<State> states = states(evolved, use.state);
+            if (states.isEmpty()) {
+                throw new ModelException("there is no state " + use.state + " that could need the device"
+                        + Names.hint(use.state, evolved.states()));
+            }
+            for (State state : states) {
+                evolved = using(evolved, state, use, drawn.original());
+            }
+        }
+        return uses.isEmpty() ? drawn : new ModelPair(drawn.original(), evolved);
+    }
+
+    private static StateMachine using(StateMachine machine, State state, Use use, StateMachine device) {
+        String known = machine.deviceState(state);
+        if (known != null && !use.device.isEmpty() && !known.equals(use.device)) {
+            throw new ModelException(
+                    "state " + state + " has two device states, " + known + " and " + use.device + "; keep one");
+        }
+        StateMachine changed = use.device.isEmpty() ? machine : machine.withDeviceState(state, use.device);
+        for (String name : use.sends) {
+            Event event = new Event(name);
+            if (!device.triggers().contains(event)) {
+                throw new ModelException("the function of " + state + " is to send " + name
+                        + ", an event that the device does not know" + Names.hint(name, device.triggers()));
+            }
+            changed = changed.withSends(state, event);
+        }
+        return changed;
+    }
+
+    private static List<State> states(StateMachine machine, String name) {
+        return machine.states().stream()
+                .filter(state -> machine.withoutMemory(state).name().equals(name))
+                .toList();
+    }
+
     /** A mistyped timer would never fire, and nobody would notice. */
     private static void requireKnown(StateMachine machine, Timer timer) {
-        if (machine.states().stream()
-                .noneMatch(state -> machine.withoutMemory(state).name().equals(timer.state))) {
+        if (states(machine, timer.state).isEmpty()) {
             throw new ModelException("there is no state " + timer.state + " for the timer " + timer.event);
         } else if (!machine.triggers().contains(new Event(timer.event))) {
             throw new ModelException("the timer of the state " + timer.state + " raises " + timer.event

@@ -50,16 +50,25 @@ public final class Reading {
      * @throws Refusal if it is not a JSON object, or one without a schema or of a newer one
      */
     public static Reading of(byte @Nullable [] bytes) {
+        return of(bytes, Wire.SCHEMA);
+    }
+
+    /**
+     * As the other method.
+     *
+     * @param newest the newest schema that is understood
+     */
+    static Reading of(byte @Nullable [] bytes, int newest) {
         Reading reading = ofAnySchema(bytes);
         Object written = reading.record.get("schema");
         if (written == null || written == Members.NULL) {
             throw malformed("it has no schema; write \"schema\":" + Wire.SCHEMA);
         }
         long schema = reading.number("schema");
-        if (schema > Wire.SCHEMA) {
+        if (schema > newest) {
             throw new Refusal(
                     Refusal.Reason.NEWER_SCHEMA,
-                    "its schema is " + schema + ", this program supports " + Wire.SCHEMA + "; update it first");
+                    "its schema is " + schema + ", this program supports " + newest + "; update it first");
         } else if (schema < 1) {
             throw malformed("its schema is " + schema + ", which does not exist");
         }

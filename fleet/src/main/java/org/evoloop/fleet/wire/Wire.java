@@ -170,7 +170,9 @@ public final class Wire {
                 .with("device", snapshot.at().original().name())
                 .with("system", snapshot.at().evolved().name())
                 .with("visit", snapshot.visit().number())
-                .with("function", isNew && !snapshot.visit().over());
+                .with(
+                        "function",
+                        isNew && !snapshot.visit().over() && !snapshot.visit().startOwed());
         Transition by = snapshot.visit().by();
         if (isNew && by != null) {
             json.with("from", by.source().name()).with("by", by.event().toString());

@@ -98,7 +98,7 @@ final class StatusText {
     /** In one line: the current states, and since when they are only the last known ones. */
     static String states(ConverterStatus status) {
         String shown = "original " + status.states().original() + ", new "
-                + status.states().evolved()
+                + status.system()
                 + status.lastKnownSince()
                         .map(since -> "; last known, since " + SECOND.format(since.atZone(ZoneId.systemDefault())))
                         .orElse("");

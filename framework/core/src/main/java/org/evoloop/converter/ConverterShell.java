@@ -13,6 +13,7 @@ import org.evoloop.core.Output;
 import org.evoloop.core.Rules;
 import org.evoloop.core.Sentry;
 import org.evoloop.core.Swap;
+import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.loop.Component;
@@ -281,10 +282,12 @@ final class ConverterShell implements LoopListener<Occurrence> {
         Optional<Instant> closed = loop.state() == LoopState.RUNNING ? Optional.empty() : Optional.of(closedAt);
         Optional<Instant> down = link == null ? Optional.empty() : link.downSince();
         ShadowReport shadow = driver.shadowReport();
+        Configuration now = driver.configuration();
         return new ConverterStatus(
                 config.name(),
                 loop.state(),
-                driver.configuration(),
+                now,
+                driver.rules().table().models().describe(now),
                 evolution,
                 shadow == null ? "" : shadow.toString(),
                 driver.doubt(),

@@ -22,6 +22,7 @@ import org.jspecify.annotations.Nullable;
  * @param name the converter's name
  * @param loop the state of the loop's lifecycle
  * @param states the current states of both models
+ * @param system the new model's state for people, with where the device is if the state needs it somewhere
  * @param evolution which models took over from which while it ran or, by its journal, before; empty if none did or the
  *     way back is gone
  * @param shadow the report of the shadow; empty if there is none
@@ -42,6 +43,7 @@ public record ConverterStatus(
         String name,
         LoopState loop,
         Configuration states,
+        String system,
         String evolution,
         String shadow,
         String doubt,

@@ -124,6 +124,17 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
         return named == null ? own : named(named);
     }
 
+    /**
+     * The new model's state for people, with where the device is if the state is a new one that needs it somewhere: {@code
+     * Gap, the device in StopUp}.
+     */
+    public String describe(Configuration at) {
+        boolean needs = isNew(at.evolved()) && !whereDeviceMustBe(at.evolved()).isEmpty();
+        return needs
+                ? at.evolved() + ", the device in " + at.original()
+                : at.evolved().name();
+    }
+
     /** The original's states of this name; if there is none, those drawn at this path or inside it. */
     private List<State> named(String nameOrPath) {
         List<State> same = original.alike(new State(nameOrPath));

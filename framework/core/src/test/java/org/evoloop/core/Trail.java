@@ -73,7 +73,9 @@ final class Trail {
     }
 
     private static String certainty(Doubt doubt) {
-        return doubt.settled() ? "settled" : doubt.interrupted() == null ? "doubt" : "remembering";
+        return doubt.interrupted() != null
+                ? (doubt.settled() ? "reported" : "remembering")
+                : (doubt.settled() ? "settled" : "doubt");
     }
 
     private static String owed(Snapshot now) {

@@ -109,7 +109,7 @@ final class ServiceManager implements AutoCloseable {
     private static String status(ConverterStatus status) {
         ConverterStatus.LinkStatus link = status.link();
         return status.name() + " " + status.loop().name().toLowerCase(Locale.ROOT) + ": "
-                + status.states().original() + " / " + status.states().evolved()
+                + status.states().original() + " / " + status.system()
                 + (link == null ? "" : ", " + link.text());
     }
 

@@ -26,34 +26,33 @@ public final class MigrationDiagram {
                 .map(node -> before.evolved().states().stream()
                         .filter(state -> FlatChart.key(state).equals(node.key()))
                         .findFirst()
-                        .map(state -> annotated(node, state, migration))
+                        .map(state -> annotated(node, state, migration, after))
                         .orElse(node))
                 .toList();
         return SvgWriter.write(title, List.of(new Diagram(title, nodes, running.edges())));
     }
 
-    private static Diagram.Node annotated(Diagram.Node node, State state, Migration migration) {
+    private static Diagram.Node annotated(Diagram.Node node, State state, Migration migration, ModelPair after) {
         Set<String> notes = new LinkedHashSet<>();
         FateKind worst = FateKind.MAPS;
         for (Migration.Line line : migration.lines()) {
             if (line.at().evolved().equals(state)) {
                 FateKind kind = FateKind.of(line.fate());
                 worst = kind.compareTo(worst) > 0 ? kind : worst;
-                notes.add(note(line));
+                notes.add(note(line, after));
             }
         }
         Tone tone = worst.tone();
         return new Diagram.Node(node.key(), node.shape(), node.name(), List.copyOf(notes), node.children(), tone);
     }
 
-    private static String note(Migration.Line line) {
+    private static String note(Migration.Line line, ModelPair after) {
         State device = line.at().original();
         String with = device.equals(line.at().evolved()) ? "" : "device in " + device + ": ";
         if (line.fate() instanceof Fate.Maps maps) {
             String sent =
                     maps.steps().stream().map(step -> step.trigger().name()).collect(Collectors.joining(", "));
-            return with + (sent.isEmpty() ? "" : "sends " + sent + " ") + "\u2192 "
-                    + maps.to().evolved();
+            return with + (sent.isEmpty() ? "" : "sends " + sent + " ") + "\u2192 " + after.describe(maps.to());
         } else if (line.fate() instanceof Fate.Waits waits) {
             return with + "waits for "
                     + waits.exits().stream().map(Event::toString).collect(Collectors.joining(" or "));

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Fallback;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.OnFailure;
@@ -73,22 +74,18 @@ public final class PlanText {
             case NEW_FUNCTION ->
                 (sent.isEmpty() ? "" : "path " + sent + way(line) + ", ")
                         + (line.transition().internal() ? "stays in new function " : "new function ")
-                        + line.transition().target()
-                        + where(line, pair);
+                        + pair.describe(reached(line));
             case IMPOSSIBLE -> "IMPOSSIBLE: " + line.reason();
         };
     }
 
-    /** Where a new state has the device; empty if it may be anywhere. */
-    private static String where(Line line, ModelPair pair) {
-        if (pair.whereDeviceMustBe(line.transition().target()).isEmpty()) {
-            return "";
-        }
+    /** The states that the transition leads to. */
+    private static Configuration reached(Line line) {
         List<Step> steps = line.steps();
-        State reached = steps.isEmpty()
+        State device = steps.isEmpty()
                 ? line.at().original()
                 : steps.get(steps.size() - 1).target();
-        return ", the device in " + reached;
+        return new Configuration(device, line.transition().target());
     }
 
     /** {@code Clean --Clean--> On --Spot--> Spot}. */

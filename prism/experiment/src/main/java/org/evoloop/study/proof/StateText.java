@@ -72,7 +72,7 @@ final class StateText {
         }
         int steps = doubt.stepsBefore() < 0 ? 2 : doubt.stepsBefore() == now.steps() ? 0 : 1;
         return numbers(
-                doubt.interrupted() != null ? 3 : doubt.settled() ? 2 : 1,
+                (doubt.settled() ? 2 : 1) + (doubt.interrupted() == null ? 0 : 2),
                 doubt.number(),
                 steps,
                 doubt.meanwhile().size());
