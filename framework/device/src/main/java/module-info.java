@@ -11,6 +11,7 @@ module org.evoloop.device {
     requires org.evoloop.page;
     requires org.evoloop.payload;
     requires org.evoloop.program;
+    requires org.evoloop.serial;
     requires org.evoloop.service;
     requires transitive org.evoloop.testkit;
     requires org.evoloop.xmi;
@@ -26,5 +27,6 @@ module org.evoloop.device {
             org.evoloop.device.HttpKind,
             org.evoloop.device.LineKind,
             org.evoloop.device.MqttKind,
+            org.evoloop.device.ProgramKind,
             org.evoloop.device.WebhookKind;
 }

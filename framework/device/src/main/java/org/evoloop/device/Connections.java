@@ -15,6 +15,7 @@ import org.jspecify.annotations.Nullable;
 /** The connections of a device file, by name. */
 final class Connections {
     private final Map<String, Connection> byName = new LinkedHashMap<>();
+    private final Computer computer = new Computer();
     /** Those that were refused: a rule that names one is no second mistake. */
     private final List<String> refused = new ArrayList<>();
 
@@ -53,11 +54,15 @@ final class Connections {
     }
 
     /**
-     * The connection that {@code section} names with {@code key}, or the only one if it names none; null if there is
+     * The connection that {@code section} names with {@code key}, or the only one if it names none, or this computer if it
+     * says {@code run}; null if there is
      * none, which is noted.
      */
     @Nullable
     Connection named(Section section, String key) {
+        if (section.has("run") && !section.has(key)) {
+            return computer;
+        }
         Node.Text name = section.text(key).orElse(null);
         if (name == null) {
             if (byName.size() == 1 && refused.isEmpty()) {
@@ -82,8 +87,10 @@ final class Connections {
         return refused.isEmpty();
     }
 
-    /** All of them, in the order of the file. */
+    /** All of them, in the order of the file, and this computer. */
     Collection<Connection> all() {
-        return byName.values();
+        List<Connection> all = new ArrayList<>(byName.values());
+        all.add(computer);
+        return all;
     }
 }

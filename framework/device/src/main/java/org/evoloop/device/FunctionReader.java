@@ -8,13 +8,14 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
 import org.jspecify.annotations.Nullable;
 
 /** Reads what functions and effects of a device file do. */
 final class FunctionReader {
-    private static final List<String> ACTIONS = List.of("send", "raise", "finish", "wait", "say", "to");
+    private static final List<String> ACTIONS = List.of("send", "raise", "finish", "wait", "say", "run", "to");
 
     private final FileModels models;
     private final Connections connections;
@@ -56,7 +57,8 @@ final class FunctionReader {
             if (action instanceof Action.Do outside) {
                 onExit.add(outside);
             } else if (action != null) {
-                each.problem("when a state has been left, its function can only act outside: to a connection");
+                each.problem(
+                        "when a state has been left, its function can only act outside: to a connection, or run a program");
             }
         }
         section.done();
@@ -118,12 +120,13 @@ final class FunctionReader {
     /** For messages: {@code to panel: LED ON}. */
     private static String what(Section section) {
         String more = section.keys().stream()
-                .filter(key -> !List.of("to", "every", "time").contains(key.value()))
+                .filter(key -> !List.of("to", "every", "time", "within").contains(key.value()))
                 .flatMap(key -> section.any(key.value()).stream())
+                .flatMap(node -> node instanceof Node.Items list ? list.items().stream() : Stream.of(node))
                 .filter(Node.Text.class::isInstance)
                 .map(Node::toString)
                 .collect(Collectors.joining(" "));
-        return "to " + section.text("to").map(Node.Text::value).orElse("") + ": " + more;
+        return section.text("to").map(to -> "to " + to + ": ").orElse("run ") + more;
     }
 
     /** What is done outside of the converter: {@code to: CONNECTION}, and what that connection asks for. */

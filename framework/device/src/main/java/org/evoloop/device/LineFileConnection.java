@@ -21,8 +21,6 @@ import org.jspecify.annotations.Nullable;
 
 /** A connection that exchanges lines of text, made of a {@link LineMonitor} and a {@link LineExecute}. */
 final class LineFileConnection extends Connection {
-    private static final Pattern TCP = Pattern.compile("tcp://(?<host>[^/:]+|\\[[^\\]]+\\]):(?<port>[0-9]{1,5})/?");
-
     private final FileModels models;
     private final @Nullable LineTransport transport;
     private final List<Consumer<LineConnection>> settings = new ArrayList<>();
@@ -34,16 +32,16 @@ final class LineFileConnection extends Connection {
     private boolean sends;
     private volatile @Nullable LineConnection opened;
 
-    private LineFileConnection(String name, @Nullable LineTransport transport, FileModels models) {
-        super(name, "lines");
+    private LineFileConnection(String name, String kind, @Nullable LineTransport transport, FileModels models) {
+        super(name, kind);
         this.transport = transport;
         this.models = models;
     }
 
-    static LineFileConnection read(String name, Section section, FileModels models) {
-        LineTransport transport =
-                section.value("lines", LineFileConnection::transport).orElse(null);
-        LineFileConnection connection = new LineFileConnection(name, transport, models);
+    /** @param transport null if its address was refused */
+    static LineFileConnection read(
+            String name, String kind, @Nullable LineTransport transport, Section section, FileModels models) {
+        LineFileConnection connection = new LineFileConnection(name, kind, transport, models);
         String[] greeting = section.texts("greet").stream()
                 .flatMap(line -> oneLine(section, line).stream())
                 .toArray(String[]::new);
@@ -58,14 +56,6 @@ final class LineFileConnection extends Connection {
             watch.done();
         });
         return connection;
-    }
-
-    private static LineTransport transport(String address) {
-        var tcp = TCP.matcher(address);
-        if (!tcp.matches()) {
-            throw new IllegalArgumentException("'" + address + "' is no address; write tcp://HOST:PORT");
-        }
-        return LineTransport.tcp(tcp.group("host"), Integer.parseInt(tcp.group("port")));
     }
 
     private static Optional<String> oneLine(Section section, Node.Text text) {
