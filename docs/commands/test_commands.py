@@ -29,7 +29,7 @@ def documents() -> list[Path]:
     files = [ROOT / name for name in ("README.md", "CONTRIBUTING.md")]
     for folder in ("docs", "models", "prism", "benchmarks"):
         files += sorted((ROOT / folder).glob("*.md"))
-    return files
+    return files + sorted((ROOT / "devices").glob("*/*.md"))
 
 
 class MarkdownTest(unittest.TestCase):
