@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 class DeviceTest implements DeviceListener {
     private static final long SECOND = 1_000_000_000L;
 
-    private final Model lamp = ModelRecord.read("lamp-1", Models.LAMP.bytes());
+    private final Model lamp = ModelRecord.read("lamp-1", Models.SENDING_LAMP.bytes());
     private final List<Order> orders = new ArrayList<>();
     private final List<Output.Ended> ended = new ArrayList<>();
     private final Device device = new Device(lamp, 30 * SECOND, this, SECOND);
