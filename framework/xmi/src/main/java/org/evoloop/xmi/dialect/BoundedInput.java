@@ -1,24 +1,22 @@
 package org.evoloop.xmi.dialect;
 
-import java.io.IOException;
 import java.io.InputStream;
 import java.util.function.BiFunction;
 import org.evoloop.statemachine.ModelException;
 
 /** Limits the bytes that a parser reads, per token and per file. */
-final class BoundedInput extends InputStream {
+final class BoundedInput extends CountedInput {
     private static final int MAX_FILE_BYTES = 1 << 30;
     /** A parser keeps a whole tag, comment and the like in memory. */
     private static final int MAX_TOKEN_BYTES = 4 << 20;
 
-    private final InputStream bytes;
     private final BiFunction<String, String, ModelException> refusal;
     private long fileBytes;
     private long tokenBytes;
 
     /** @param refusal makes an exception from a message and a remedy */
     BoundedInput(InputStream bytes, BiFunction<String, String, ModelException> refusal) {
-        this.bytes = bytes;
+        super(bytes);
         this.refusal = refusal;
     }
 
@@ -28,20 +26,7 @@ final class BoundedInput extends InputStream {
     }
 
     @Override
-    public int read() throws IOException {
-        int read = bytes.read();
-        count(read < 0 ? 0 : 1);
-        return read;
-    }
-
-    @Override
-    public int read(byte[] buffer, int offset, int length) throws IOException {
-        int read = bytes.read(buffer, offset, length);
-        count(Math.max(0, read));
-        return read;
-    }
-
-    private void count(int read) {
+    void count(int read) {
         fileBytes += read;
         tokenBytes += read;
         if (fileBytes > MAX_FILE_BYTES) {
@@ -52,25 +37,5 @@ final class BoundedInput extends InputStream {
                     "holds a single tag, text or comment of more than " + (MAX_TOKEN_BYTES >> 20) + " MiB",
                     XmiStream.EXPORT_AGAIN);
         }
-    }
-
-    @Override
-    public boolean markSupported() {
-        return bytes.markSupported();
-    }
-
-    @Override
-    public void mark(int limit) {
-        bytes.mark(limit);
-    }
-
-    @Override
-    public void reset() throws IOException {
-        bytes.reset();
-    }
-
-    @Override
-    public void close() throws IOException {
-        bytes.close();
     }
 }

@@ -1,6 +1,5 @@
 package org.evoloop.xmi.dialect;
 
-import java.io.FilterInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -76,7 +75,7 @@ final class ZippedModel {
     }
 
     /** Closes the archive together with the document, which may not be longer than the archive says. */
-    private static final class Unpacked extends FilterInputStream {
+    private static final class Unpacked extends CountedInput {
         private final Path file;
         private final ZipFile zip;
         private long left;
@@ -89,20 +88,7 @@ final class ZippedModel {
         }
 
         @Override
-        public int read() throws IOException {
-            int read = super.read();
-            count(read < 0 ? 0 : 1);
-            return read;
-        }
-
-        @Override
-        public int read(byte[] buffer, int offset, int length) throws IOException {
-            int read = super.read(buffer, offset, length);
-            count(Math.max(0, read));
-            return read;
-        }
-
-        private void count(int read) {
+        void count(int read) {
             left -= read;
             if (left < 0) {
                 throw new ModelException(
