@@ -12,8 +12,4 @@ import java.util.List;
 record Entry(String name, Origin origin, boolean list, boolean readable, List<Value> values) {
     /** A value as it is written. */
     record Value(String text, Origin origin) {}
-
-    static Entry of(String name, String text, Origin origin) {
-        return new Entry(name, origin, false, true, List.of(new Value(text, origin)));
-    }
 }
