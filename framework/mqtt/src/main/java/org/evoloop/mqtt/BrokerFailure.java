@@ -86,7 +86,7 @@ final class BrokerFailure {
         }
         if (cause instanceof CertificateException) {
             return address + ": the broker's certificate is not trusted: " + text(cause)
-                    + "; ?ca=FILE names the certificates that it is signed with";
+                    + "; ?ca=FILE names the certificates that it is signed with, ?sha256=FINGERPRINT its own";
         }
         if (cause instanceof SSLException && cause.getCause() == null) {
             return address + ": there is no TLS with this broker: " + text(cause)
