@@ -96,10 +96,12 @@ class GpioPartsTest {
         try (SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock))) {
             Duration slow = Duration.ofMillis(100);
             PushMonitor wall = new PushMonitor("Wall");
-            GpioMonitor monitor = new GpioMonitor("Sensor", pins, clock).debounce(slow).found(17, "on", "off");
+            GpioMonitor monitor =
+                    new GpioMonitor("Sensor", pins, clock).debounce(slow).found(17, "on", "off");
             contact(17, false);
             clock.advance(slow);
-            GpioExecute execute = new GpioExecute("Lamp", pins, clock).hold("heat", 23, true).hold("cool", 23, false);
+            GpioExecute execute =
+                    new GpioExecute("Lamp", pins, clock).hold("heat", 23, true).hold("cool", 23, false);
             DigitalOutput relay = mock.getIO("output-23");
             converter.addMonitor(monitor);
             converter.addMonitor(wall);

@@ -18,6 +18,8 @@ import org.jspecify.annotations.Nullable;
  * <ul>
  *   <li>{@code id=ID}: the converter's name at the broker (default: its name)
  *   <li>{@code ca=FILE}: with TLS, the certificates, in PEM, that signed the broker's (default: those that Java trusts)
+ *   <li>{@code sha256=FINGERPRINT}: with TLS, the broker's own certificate, such as one that it signed itself; no other
+ *       is trusted
  *   <li>{@code discovery=PREFIX}: where Home Assistant looks for devices (default: {@code homeassistant})
  * </ul>
  *
@@ -26,7 +28,7 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public final class BrokerAddress {
-    private static final Set<String> PARAMETERS = Set.of("id", "ca", "discovery");
+    private static final Set<String> PARAMETERS = Set.of("id", "ca", "sha256", "discovery");
     private static final String EXAMPLE = "give it as mqtt://HOST, mqtt://USER@HOST:1883 or mqtts://USER@HOST";
 
     private final boolean tls;
@@ -105,7 +107,10 @@ public final class BrokerAddress {
         Map<String, String> parameters = parameters(uri);
         String certificates = parameters.get("ca");
         // Read once, and kept with the address: the file may be a pipe.
-        TrustManagerFactory trust = certificates == null ? null : Trust.in(Path.of(certificates));
+        String pinned = parameters.get("sha256");
+        TrustManagerFactory trust = certificates != null
+                ? Trust.in(Path.of(certificates))
+                : pinned != null ? Trust.pinned(pinned) : null;
         return new BrokerAddress("mqtts".equals(uri.getScheme()), place, parameters, trust, null);
     }
 
@@ -129,13 +134,17 @@ public final class BrokerAddress {
             String[] parts = each.split("=", 2);
             if (!PARAMETERS.contains(parts[0]) || parts.length < 2 || parts[1].isEmpty()) {
                 throw new IllegalArgumentException("the broker's URL " + masked(uri.toString()) + " has '" + parts[0]
-                        + "' after its question mark; there are id=ID, ca=FILE and discovery=PREFIX");
+                        + "' after its question mark; there are id=ID, ca=FILE, sha256=FINGERPRINT and discovery=PREFIX");
             }
             found.put(parts[0], parts[1]);
         }
         requireMatch(found.get("id"), "id", "[A-Za-z0-9_-]{1,64}", "letters, digits, _ and -, 64 at most");
         requireMatch(found.get("discovery"), "discovery", "[^#+\\p{Cntrl}]{1,100}", "a topic, without # and +");
-        if (found.containsKey("ca") && !"mqtts".equals(uri.getScheme())) {
+        if (found.containsKey("ca") && found.containsKey("sha256")) {
+            throw new IllegalArgumentException("the broker's URL " + masked(uri.toString())
+                    + " has both ca and sha256; give the certificates that signed the broker's, or its fingerprint");
+        }
+        if ((found.containsKey("ca") || found.containsKey("sha256")) && !"mqtts".equals(uri.getScheme())) {
             throw new IllegalArgumentException("the broker's URL " + masked(uri.toString())
                     + " names certificates, but mqtt:// uses none; begin it with mqtts://");
         }
@@ -155,7 +164,7 @@ public final class BrokerAddress {
      */
     private static String masked(String url) {
         return url.replaceFirst("^((?:[A-Za-z]+:/+|mqtts?:)?+.*?)(:|%3[Aa]).*@", "$1$2***@")
-                .replaceAll("([?&](?!(?:id|ca|discovery)=)[^=&@]*=)[^&@]*", "$1***");
+                .replaceAll("([?&](?!(?:id|ca|sha256|discovery)=)[^=&@]*=)[^&@]*", "$1***");
     }
 
     boolean tls() {
@@ -180,7 +189,7 @@ public final class BrokerAddress {
         return password;
     }
 
-    /** The certificates that signed the broker's; null for those that Java trusts. */
+    /** What is trusted; null for the certificates that Java trusts. */
     @Nullable
     TrustManagerFactory trust() {
         return trust;

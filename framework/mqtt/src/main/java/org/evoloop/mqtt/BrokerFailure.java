@@ -1,6 +1,9 @@
 package org.evoloop.mqtt;
 
 import com.hivemq.client.mqtt.exceptions.ConnectionClosedException;
+import com.hivemq.client.mqtt.exceptions.MqttDecodeException;
+import com.hivemq.client.mqtt.mqtt3.exceptions.Mqtt3ConnAckException;
+import com.hivemq.client.mqtt.mqtt3.exceptions.Mqtt3SubAckException;
 import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5ConnAckException;
 import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5DisconnectException;
 import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5PubAckException;
@@ -24,6 +27,18 @@ final class BrokerFailure {
                 && denied.getMqttMessage().getReasonCode() != Mqtt5PubAckReasonCode.QUOTA_EXCEEDED;
     }
 
+    /** Whether a login with MQTT 5 may have failed since the broker only knows MQTT 3.1.1. */
+    static boolean mayBeOld(@Nullable Throwable failure) {
+        return failure instanceof Mqtt5ConnAckException refused
+                ? refused.getMqttMessage().getReasonCode() == Mqtt5ConnAckReasonCode.UNSUPPORTED_PROTOCOL_VERSION
+                : failure instanceof ConnectionClosedException || failure instanceof MqttDecodeException;
+    }
+
+    /** Whether a broker that knows MQTT 3.1.1 has refused a login with it. */
+    static boolean isAnswer(@Nullable Throwable failure) {
+        return failure instanceof Mqtt3ConnAckException || failure instanceof Mqtt3SubAckException;
+    }
+
     static String describe(BrokerAddress address, @Nullable Throwable failure) {
         for (Throwable cause = failure; cause != null; cause = cause.getCause()) {
             String known = known(address, cause);
@@ -37,6 +52,17 @@ final class BrokerFailure {
     private static @Nullable String known(BrokerAddress address, Throwable cause) {
         if (cause instanceof Mqtt5ConnAckException refused) {
             return refused(address, refused.getMqttMessage().getReasonCode());
+        }
+        if (cause instanceof Mqtt3ConnAckException refused) {
+            return switch (refused.getMqttMessage().getReturnCode()) {
+                case BAD_USER_NAME_OR_PASSWORD, NOT_AUTHORIZED -> refusedLogin(address);
+                default ->
+                    address + " refuses the connection: "
+                            + refused.getMqttMessage().getReturnCode();
+            };
+        }
+        if (cause instanceof Mqtt3SubAckException) {
+            return address + " does not let " + user(address) + " subscribe; check the broker's access list";
         }
         if (cause instanceof Mqtt5DisconnectException left) {
             return left.getMqttMessage().getReasonCode() == Mqtt5DisconnectReasonCode.SESSION_TAKEN_OVER
@@ -60,7 +86,7 @@ final class BrokerFailure {
         }
         if (cause instanceof CertificateException) {
             return address + ": the broker's certificate is not trusted: " + text(cause)
-                    + "; ?ca=FILE names the certificates that it is signed with";
+                    + "; ?ca=FILE names the certificates that it is signed with, ?sha256=FINGERPRINT its own";
         }
         if (cause instanceof SSLException && cause.getCause() == null) {
             return address + ": there is no TLS with this broker: " + text(cause)
@@ -77,14 +103,17 @@ final class BrokerFailure {
 
     private static String refused(BrokerAddress address, Mqtt5ConnAckReasonCode code) {
         return switch (code) {
-            case BAD_USER_NAME_OR_PASSWORD, NOT_AUTHORIZED ->
-                address + " refuses the login of " + user(address)
-                        + "; check the user in the URL, and the password in --mqtt-password-file or "
-                        + MqttOptions.PASSWORD.variable();
+            case BAD_USER_NAME_OR_PASSWORD, NOT_AUTHORIZED -> refusedLogin(address);
             case UNSUPPORTED_PROTOCOL_VERSION ->
-                address + " does not know MQTT 5; a newer broker does, such as Mosquitto from 1.6 on";
+                address + " knows neither MQTT 5 nor MQTT 3.1.1; a newer broker does, such as Mosquitto";
             default -> address + " refuses the connection: " + code;
         };
+    }
+
+    private static String refusedLogin(BrokerAddress address) {
+        return address + " refuses the login of " + user(address)
+                + "; check the user in the URL, and the password in --mqtt-password-file or "
+                + MqttOptions.PASSWORD.variable();
     }
 
     private static String user(BrokerAddress address) {

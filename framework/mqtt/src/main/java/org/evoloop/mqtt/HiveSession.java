@@ -1,17 +1,5 @@
 package org.evoloop.mqtt;
 
-import com.hivemq.client.mqtt.MqttClientExecutorConfig;
-import com.hivemq.client.mqtt.MqttClientSslConfig;
-import com.hivemq.client.mqtt.MqttGlobalPublishFilter;
-import com.hivemq.client.mqtt.datatypes.MqttQos;
-import com.hivemq.client.mqtt.mqtt5.Mqtt5AsyncClient;
-import com.hivemq.client.mqtt.mqtt5.Mqtt5Client;
-import com.hivemq.client.mqtt.mqtt5.Mqtt5ClientBuilder;
-import com.hivemq.client.mqtt.mqtt5.message.auth.Mqtt5SimpleAuth;
-import com.hivemq.client.mqtt.mqtt5.message.auth.Mqtt5SimpleAuthBuilder;
-import com.hivemq.client.mqtt.mqtt5.message.disconnect.Mqtt5DisconnectReasonCode;
-import com.hivemq.client.mqtt.mqtt5.message.publish.Mqtt5Publish;
-import java.nio.charset.StandardCharsets;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
@@ -22,8 +10,8 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One connection to a broker, from the login to its loss: MQTT 5 with HiveMQ's client, which only this class uses. It
- * starts clean: messages sent to this client in between, such as an old command, are not delivered.
+ * One connection to a broker, from the login to its loss: MQTT 5 with HiveMQ's client, or 3.1.1 if the broker does not
+ * know it. It starts clean: messages sent to this client in between, such as an old command, are not delivered.
  *
  * <p>Threading: {@link #publish} and {@link #close} for one thread; callbacks come on the client's own and must be
  * quick.
@@ -31,14 +19,12 @@ import org.jspecify.annotations.Nullable;
 final class HiveSession implements AutoCloseable {
     private static final int ANSWER_SECONDS = 10;
     private static final int GOODBYE_SECONDS = 1;
-    private static final int KEEP_ALIVE_SECONDS = 15;
-    private static final int MOST_BYTES = 65_536;
 
     private final BrokerAddress address;
-    private final Mqtt5AsyncClient client;
+    private final HiveClient client;
     private final AtomicBoolean gone;
 
-    private HiveSession(BrokerAddress address, Mqtt5AsyncClient client, AtomicBoolean gone) {
+    private HiveSession(BrokerAddress address, HiveClient client, AtomicBoolean gone) {
         this.address = address;
         this.client = client;
         this.gone = gone;
@@ -53,6 +39,11 @@ final class HiveSession implements AutoCloseable {
     record Setup(
             BrokerAddress address, String client, @Nullable Message will, Set<String> filters) {}
 
+    /** A client of one version of MQTT. */
+    private interface Version {
+        HiveClient client(Setup setup, Consumer<Message> incoming, Consumer<Throwable> lost);
+    }
+
     /**
      * Logs in and subscribes.
      *
@@ -61,30 +52,36 @@ final class HiveSession implements AutoCloseable {
      */
     static HiveSession connect(Setup setup, Consumer<Message> incoming, Consumer<String> lost)
             throws BrokerException, InterruptedException {
+        try {
+            return connect(HiveMqtt5::new, setup, incoming, lost);
+        } catch (BrokerException failure) {
+            if (!BrokerFailure.mayBeOld(failure.getCause())) {
+                throw failure;
+            }
+            try {
+                return connect(HiveMqtt3::new, setup, incoming, lost);
+            } catch (BrokerException older) {
+                // Only an answer says that it was the version.
+                throw BrokerFailure.isAnswer(older.getCause()) ? older : failure;
+            }
+        }
+    }
+
+    private static HiveSession connect(
+            Version version, Setup setup, Consumer<Message> incoming, Consumer<String> lost)
+            throws BrokerException, InterruptedException {
         BrokerAddress address = setup.address();
         AtomicBoolean gone = new AtomicBoolean();
-        Mqtt5AsyncClient client = builder(setup)
-                .addDisconnectedListener(context -> {
-                    // The client's own state still says that it is connected.
-                    gone.set(true);
-                    lost.accept(BrokerFailure.describe(address, context.getCause()));
-                })
-                .buildAsync();
+        HiveClient client = version.client(setup, incoming, cause -> {
+            // The client's own state still says that it is connected.
+            gone.set(true);
+            lost.accept(BrokerFailure.describe(address, cause));
+        });
         HiveSession session = new HiveSession(address, client, gone);
-        client.publishes(MqttGlobalPublishFilter.ALL, publish -> incoming.accept(received(publish)));
         try {
-            session.await(client.connectWith()
-                    .cleanStart(true)
-                    .keepAlive(KEEP_ALIVE_SECONDS)
-                    .restrictions()
-                    .maximumPacketSize(MOST_BYTES)
-                    .applyRestrictions()
-                    .send());
+            session.await(client.connect());
             for (String filter : setup.filters()) {
-                session.await(client.subscribeWith()
-                        .topicFilter(filter)
-                        .qos(MqttQos.AT_LEAST_ONCE)
-                        .send());
+                session.await(client.subscribe(filter));
             }
             return session;
         } catch (BrokerException | InterruptedException | RuntimeException failure) {
@@ -93,55 +90,9 @@ final class HiveSession implements AutoCloseable {
         }
     }
 
-    private static Mqtt5ClientBuilder builder(Setup setup) {
-        BrokerAddress address = setup.address();
-        Mqtt5ClientBuilder builder = Mqtt5Client.builder()
-                .identifier(setup.client())
-                .serverHost(address.host())
-                .serverPort(address.port())
-                .executorConfig(
-                        MqttClientExecutorConfig.builder().nettyThreads(1).build());
-        if (address.tls()) {
-            builder = builder.sslConfig(MqttClientSslConfig.builder()
-                    .trustManagerFactory(address.trust())
-                    .build());
-        }
-        String user = address.user();
-        String password = address.password();
-        if (user != null) {
-            Mqtt5SimpleAuthBuilder.Complete login = Mqtt5SimpleAuth.builder().username(user);
-            builder = builder.simpleAuth(
-                    password == null
-                            ? login.build()
-                            : login.password(password.getBytes(StandardCharsets.UTF_8))
-                                    .build());
-        }
-        Message will = setup.will();
-        if (will != null) {
-            builder = builder.willPublish(outgoing(will));
-        }
-        return builder;
-    }
-
-    private static Mqtt5Publish outgoing(Message message) {
-        return Mqtt5Publish.builder()
-                .topic(message.topic())
-                .payload(message.payload().getBytes(StandardCharsets.UTF_8))
-                .qos(MqttQos.AT_LEAST_ONCE)
-                .retain(message.kind() == Message.Kind.STATE)
-                .build();
-    }
-
-    private static Message received(Mqtt5Publish publish) {
-        return new Message(
-                publish.getTopic().toString(),
-                new String(publish.getPayloadAsBytes(), StandardCharsets.UTF_8),
-                publish.isRetain() ? Message.Kind.STATE : Message.Kind.COMMAND);
-    }
-
     /** Whether the connection is there. */
     boolean isUp() {
-        return !gone.get() && client.getState().isConnected();
+        return !gone.get() && client.isConnected();
     }
 
     /**
@@ -151,7 +102,7 @@ final class HiveSession implements AutoCloseable {
      */
     String publish(Message message) throws BrokerException, InterruptedException {
         try {
-            answer(client.publish(outgoing(message)));
+            answer(client.publish(message));
             return "";
         } catch (ExecutionException failure) {
             String why = BrokerFailure.describe(address, failure.getCause());
@@ -166,7 +117,7 @@ final class HiveSession implements AutoCloseable {
         try {
             answer(answer);
         } catch (ExecutionException failure) {
-            throw new BrokerException(BrokerFailure.describe(address, failure.getCause()));
+            throw new BrokerException(BrokerFailure.describe(address, failure.getCause()), failure.getCause());
         }
     }
 
@@ -184,10 +135,7 @@ final class HiveSession implements AutoCloseable {
     public void close() {
         boolean interrupted = Thread.interrupted();
         try {
-            client.disconnectWith()
-                    .reasonCode(Mqtt5DisconnectReasonCode.DISCONNECT_WITH_WILL_MESSAGE)
-                    .send()
-                    .get(GOODBYE_SECONDS, TimeUnit.SECONDS);
+            client.disconnect().get(GOODBYE_SECONDS, TimeUnit.SECONDS);
         } catch (InterruptedException hurry) {
             interrupted = true;
         } catch (ExecutionException | TimeoutException gone) {

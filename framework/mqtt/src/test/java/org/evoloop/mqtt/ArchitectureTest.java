@@ -13,7 +13,7 @@ class ArchitectureTest {
     @ArchTest
     static final ArchRule theClientIsKnownInOnePlace = noClasses()
             .that()
-            .haveNameNotMatching(".*\\.(HiveSession|BrokerFailure)(\\$.*)?")
+            .haveNameNotMatching(".*\\.(Hive.*|BrokerFailure)(\\$.*)?")
             .should()
             .dependOnClassesThat()
             .resideInAnyPackage("com.hivemq..", "io.netty..", "io.reactivex..");

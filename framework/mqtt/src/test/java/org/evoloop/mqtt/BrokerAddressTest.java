@@ -120,6 +120,9 @@ class BrokerAddressTest {
         "mqtt://b?id=a/b, id=a/b",
         "mqtt://b?discovery=a%23, discovery",
         "mqtt://b?ca=/x, mqtts://",
+        "mqtts://b?sha256=12:34, 64 digits",
+        "mqtt://b?sha256=0, mqtts://",
+        "mqtts://b?sha256=0&ca=/x, both",
         "mqtt://ha@b?password-file=/x, 'password-file'"
     })
     void whatFollowsTheQuestionMarkIsChecked(String url, String named) {

@@ -6,7 +6,10 @@ import static org.awaitility.Awaitility.await;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.MessageDigest;
 import java.time.Duration;
+import java.util.Base64;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.evoloop.Logged;
@@ -180,6 +183,22 @@ class BrokerConnectionTest {
     }
 
     @Test
+    void aSelfSignedCertificateIsTrustedOnlyIfItIsPinned() throws Exception {
+        Certificate own = Certificate.of(directory, "own", "dns:elsewhere");
+        Certificate foreign = Certificate.of(directory, "foreign", "ip:127.0.0.1");
+        assertThat(trouble(own, "sha256=" + fingerprint(own))).isEmpty();
+        assertThat(trouble(foreign, "sha256=" + fingerprint(own)))
+                .contains("certificate is not trusted", "sha256 is " + fingerprint(foreign));
+        assertThat(trouble(own, "id=x")).contains("certificate is not trusted", "?sha256=FINGERPRINT");
+    }
+
+    private static String fingerprint(Certificate certificate) throws Exception {
+        byte[] encoded = Base64.getMimeDecoder()
+                .decode(Files.readString(certificate.certificate()).replaceAll("-----.*?-----", ""));
+        return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(encoded));
+    }
+
+    @Test
     @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // opening a pipe cannot be interrupted
     void certificatesAreReadOnceSinceTheyMayComeFromAPipe() throws Exception {
         Path pipe = directory.resolve("pipe");
@@ -193,10 +212,15 @@ class BrokerConnectionTest {
 
     /** The error for a broker that presents one certificate if the client trusts another. */
     private String trouble(Certificate shown, Path trusted) {
+        return trouble(shown, "ca=" + trusted);
+    }
+
+    /** @param trust what follows the question mark of the URL */
+    private String trouble(Certificate shown, String trust) {
         try (Mosquitto broker = new Mosquitto(directory)
                         .with("user root", "certfile " + shown.certificate(), "keyfile " + shown.key())
                         .start();
-                BrokerConnection connection = connection("mqtts://127.0.0.1:" + broker.port() + "?ca=" + trusted)) {
+                BrokerConnection connection = connection("mqtts://127.0.0.1:" + broker.port() + "?" + trust)) {
             int before = logged.lines().size();
             connection.publish(Message.state("a", "b"));
             connection.open();
