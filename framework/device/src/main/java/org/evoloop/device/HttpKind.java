@@ -2,7 +2,13 @@ package org.evoloop.device;
 
 import org.evoloop.device.file.Section;
 
-/** {@code http: http://HOST}: a device that answers HTTP requests. */
+/**
+ * {@code http: http://HOST}: a device that answers HTTP requests.
+ *
+ * <p>Threading: as {@link ConnectionKind}.
+ *
+ * @since 0.1
+ */
 public final class HttpKind implements ConnectionKind {
     /** For {@link java.util.ServiceLoader}. */
     public HttpKind() {}

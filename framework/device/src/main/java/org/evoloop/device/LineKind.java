@@ -7,7 +7,13 @@ import org.evoloop.device.file.Section;
 import org.evoloop.line.LineTransport;
 import org.evoloop.serial.SerialTransport;
 
-/** {@code lines: tcp://HOST:PORT}: a device or a controller that exchanges lines of text. */
+/**
+ * {@code lines: tcp://HOST:PORT}: a device or a controller that exchanges lines of text.
+ *
+ * <p>Threading: as {@link ConnectionKind}.
+ *
+ * @since 0.1
+ */
 public final class LineKind implements ConnectionKind {
     private static final Pattern TCP = Pattern.compile("tcp://(?<host>[^/:]+|\\[[^\\]]+\\]):(?<port>[0-9]{1,9})/?");
     private static final Pattern SERIAL = Pattern.compile("serial://(?<port>/.+)");

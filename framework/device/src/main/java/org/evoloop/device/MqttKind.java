@@ -2,7 +2,13 @@ package org.evoloop.device;
 
 import org.evoloop.device.file.Section;
 
-/** {@code mqtt: mqtt://HOST}: a device or a controller behind an MQTT broker. */
+/**
+ * {@code mqtt: mqtt://HOST}: a device or a controller behind an MQTT broker.
+ *
+ * <p>Threading: as {@link ConnectionKind}.
+ *
+ * @since 0.1
+ */
 public final class MqttKind implements ConnectionKind {
     /** For {@link java.util.ServiceLoader}. */
     public MqttKind() {}

@@ -6,7 +6,13 @@ import org.evoloop.device.file.Section;
 import org.evoloop.line.LineTransport;
 import org.jspecify.annotations.Nullable;
 
-/** {@code program: [python3, kettle.py]}: a program, by lines of text on its standard input and output. */
+/**
+ * {@code program: [python3, kettle.py]}: a program, by lines of text on its standard input and output.
+ *
+ * <p>Threading: as {@link ConnectionKind}.
+ *
+ * @since 0.1
+ */
 public final class ProgramKind implements ConnectionKind {
     /** For {@link java.util.ServiceLoader}. */
     public ProgramKind() {}

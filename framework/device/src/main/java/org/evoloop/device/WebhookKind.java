@@ -11,7 +11,13 @@ import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
 import org.evoloop.http.HttpMonitor;
 
-/** {@code webhooks: PORT}: a controller, or a device, that sends HTTP requests to this computer. */
+/**
+ * {@code webhooks: PORT}: a controller, or a device, that sends HTTP requests to this computer.
+ *
+ * <p>Threading: as {@link ConnectionKind}.
+ *
+ * @since 0.1
+ */
 public final class WebhookKind implements ConnectionKind {
     private static final int HIGHEST_PORT = 65_535;
 
