@@ -19,7 +19,7 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 
 /**
  * A pair of models in {@link Topic#MODELS}.
@@ -95,7 +95,7 @@ public record ModelRecord(
     }
 
     private Rules rules() {
-        XmiFile models = XmiFile.read(file, new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
+        ModelFile models = ModelFile.read(file, new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
         ModelPair pair = new ModelPair(models.pick(original), models.pick(evolved));
         pair.requireValid();
         DecisionTable table = DecisionTable.compile(pair, device(pair.original()));
