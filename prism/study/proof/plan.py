@@ -119,7 +119,7 @@ LIVE_SCENES: tuple[tuple[str, Acts], ...] = (
 
 
 def scenes(pair: Pair) -> list[tuple[str, Acts]]:
-    """What is searched, with the property if it is only one. Two presses of the fan are up to four steps, too many with crashes."""
+    """What is searched, with the property if it is only one. The fan's presses take two steps: with crashes, one is enough."""
     safe = [_FEWER if pair is FAN and acts == _CRASHES else acts for acts in SCENES]
     return [*(("", acts) for acts in safe), *LIVE_SCENES]
 
