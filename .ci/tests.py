@@ -2,6 +2,8 @@
 
 Tests wait more than they compute, and no module's tests need those of another: several modules are tested at a time, in no
 order but that the longest begin first. Each has a Maven of its own, which finds the other modules in target/repository.
+Some tests have limits in real time, as serial links do, which a processor shared by so many may miss: a module that fails
+is tested once more when it has the machine for itself, and counts as failed if it fails then.
 
 The run's own files are in target: test.begun, which is as old as the run, and documented-commands.log; in that of each
 module are Maven's test.log, and surefire-reports.
@@ -168,7 +170,15 @@ def run_modules(options: list[str]) -> int:
             lanes.shutdown(cancel_futures=True)
             raise SystemExit(130) from None
     show_progress("")
-    return 0 if all(each.result()[1] for each in runs) else 1
+    failed = [module for module, passed, _ in (each.result() for each in runs) if not passed]
+    return 0 if all([passes_alone(module, options) for module in failed]) else 1
+
+
+def passes_alone(module: Path, options: list[str]) -> bool:
+    print(f"{module}: once more, alone", flush=True)
+    _, passed, took = run(module, options)
+    show(module, passed, took)
+    return passed
 
 
 def show_progress(text: str) -> None:

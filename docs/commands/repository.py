@@ -7,7 +7,7 @@ from pathlib import Path
 
 from test_commands import LIMIT_S, ROOT
 
-SCAFFOLDED = ("bom", "core", "xmi", "config", "console", "journal", "service", "page", "metrics", "mqtt", "testkit")
+SCAFFOLDED = ("bom", "program", "testkit")
 """The modules on which a scaffolded project depends."""
 
 

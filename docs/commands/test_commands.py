@@ -19,7 +19,7 @@ BUILDS_PROJECTS = SLOW or os.environ.get("EVOLOOP_COMMANDS") == "ci"
 DUE = [entry for entry in KNOWN if entry.run and entry.slow == SLOW]
 LIMIT_S = 3_600 if SLOW else 300
 NOT_COPIED = (
-    *(".git", "surefire-reports", "__pycache__", "repository", "interop-venv", "oracles-venv", "oracles-node"),
+    *(".git", "surefire-reports", "__pycache__", "repository", "interop-venv", "oracles-venv", "oracles-node", "site-venv"),
     *("home-assistant-root", "package-roots", "fresh-roots"),
     *(() if SLOW else (".venv",)),
 )
@@ -69,7 +69,7 @@ class KnownTest(unittest.TestCase):
 
 
 class HelpTest(unittest.TestCase):
-    """On a machine where nothing is installed and nothing was built."""
+    """What the scripts do themselves is explained on a machine where nothing is installed and nothing was built."""
 
     def test_help_comes_at_once(self) -> None:
         with tempfile.TemporaryDirectory(prefix="evoloop-help-") as name:
@@ -78,12 +78,9 @@ class HelpTest(unittest.TestCase):
             tools.mkdir()
             for tool in ("bash", "cat", "dirname", "env", "readlink"):
                 (tools / tool).symlink_to(shutil.which(tool) or tool)
-            (folder / "benchmarks").mkdir()
             shutil.copy(ROOT / "evoloop", folder)
-            shutil.copy(ROOT / "benchmarks" / "help.txt", folder / "benchmarks")
-            scripts = Path("framework", "publishing")
-            shutil.copytree(ROOT / scripts, folder / scripts, ignore=shutil.ignore_patterns("target"))
-            for command in ("", "lightbulb", "setup", "bench", "test", "package", "docs", "api", "reproducible"):
+            shutil.copytree(ROOT / "scripts", folder / "scripts")
+            for command in ("", "setup", "install", "test", "package", "docs", "api", "reproducible"):
                 for option in ("--help", "-h"):
                     with self.subTest(command=command, option=option):
                         result = subprocess.run(
@@ -95,7 +92,7 @@ class HelpTest(unittest.TestCase):
                         )
                         self.assertEqual((result.returncode, result.stderr), (0, ""))
                         self.assertRegex(result.stdout, f"(?i)^usage: .*{command}")
-            self.assertEqual({file.name for file in folder.iterdir()}, {"bin", "benchmarks", "evoloop", "framework"})
+            self.assertEqual({file.name for file in folder.iterdir()}, {"bin", "evoloop", "scripts"})
 
 
 class CommandsTest(unittest.TestCase):

@@ -26,6 +26,7 @@ class ProgressTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.root = Path(folder.name)
         shutil.copy(ROOT / "evoloop", self.root)
+        shutil.copytree(ROOT / "scripts", self.root / "scripts")
         (self.root / "mvnw").write_text(MAVEN)
         (self.root / "mvnw").chmod(0o755)
         (self.root / ".mvn").mkdir()

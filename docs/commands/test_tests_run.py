@@ -49,6 +49,7 @@ class TestsRunTest(unittest.TestCase):
         for file in ("evoloop", ".ci/tests.py"):
             self.write(file, (ROOT / file).read_text(encoding="utf-8"))
         shutil.copymode(ROOT / "evoloop", self.root / "evoloop")
+        shutil.copytree(ROOT / "scripts", self.root / "scripts")
         self.write(".mvn/config", "")
         self.write("pom.xml", POM.format("house", "<modules><module>lamp</module>\n<module>door</module></modules>"))
         for module in ("lamp", "door"):

@@ -64,7 +64,7 @@ waits.
 
 {_verdict(comparisons)}
 
-![Models and measurements](experiment.png)"""
+![Models and measurements](experiment.svg)"""
 
 
 def _usual(quantities: dict[str, str]) -> dict[str, str]:

@@ -52,7 +52,6 @@ def _save(figure: Figure, folder: Path, name: str) -> None:
     # Without these, the same results would give a different file each time.
     with pyplot.rc_context({"svg.hashsalt": "evoloop"}):
         figure.savefig(folder / f"{name}.svg", metadata={"Date": None})
-    figure.savefig(folder / f"{name}.png", dpi=130)
     pyplot.close(figure)
 
 

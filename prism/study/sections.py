@@ -37,7 +37,7 @@ def paper(curves: Curves) -> str:
     )
     return f"""## 1. The paper's figures
 
-![Probability that the task is done, and events lost](paper.png)
+![Probability that the task is done, and events lost](paper.svg)
 
 {table(("model", "done at 60 s", "at 80 s", "at 100 s", "mean completion in s", "lost until 100 s"), rows)}
 
@@ -66,7 +66,7 @@ def counting(curves: Curves, tables: dict[str, Table], flagged: float) -> str:
     ]
     return f"""## 2. Counted exactly
 
-![Lost events as listed, counted exactly, and with a queue](losses.png)
+![Lost events as listed, counted exactly, and with a queue](losses.svg)
 
 {table(("conversion", "lost, as listed", "lost, each once", "against the baseline", "device's losses that the listing counts"), rows)}
 
@@ -117,7 +117,7 @@ def converter(curves: Curves, tables: dict[str, Table]) -> str:
     beliefs.append((f"queue with back-pressure, all {len(queued)}", "never" if never else "**some do**", *["0 %"] * 4))
     return f"""## 3. A queue with back-pressure
 
-![Probability that the task is done](performance.png)
+![Probability that the task is done](performance.svg)
 
 K is the number of events that the converter can hold, including the one in conversion (Evoloop's default is 9). *Serial*: it
 converts the next event when the device is ready. *Pipelined*, as in Evoloop: it converts while the device still acts, and hands
@@ -138,7 +138,7 @@ The probability of waiting, pipelined, conversion 0.25 s:
 
 {table(("", *columns[1:]), tails)}
 
-![Waiting times](waiting.png)
+![Waiting times](waiting.svg)
 
 **Belief.** A converter without back-pressure assumes that each event it sends is carried out. If the device was not
 ready, the converter's model and the device diverge; the faster the converter, the sooner. In the models, belief and device
@@ -162,7 +162,7 @@ def devices(curves: Curves, tables: dict[str, Table]) -> str:
     headings = ("hold-off", "lost until 100 s", "lost per 100 s", "of these in the device", "completion in s", "first difference after s")
     return f"""## 4. Devices that make it harder
 
-![Two events for one decision, and readiness that is inferred](devices.png)
+![Two events for one decision, and readiness that is inferred](devices.svg)
 
 **Two events for one decision.** Evoloop may have to send the device two events to reach the state that the new model requires;
 the decided event leaves the converter with the last of them. Conversion 0.25 s, pipelined; events lost until 100 s,
@@ -194,7 +194,7 @@ def sensitivity(found: Table) -> str:
         rows.append((label, *(_limit(found, model, arrivals) for arrivals in (0.5, 0.8, 1.0, 1.5, 2.0))))
     return f"""## 6. Other arrivals and conversion times
 
-![Losses against the baseline's](sensitivity.png)
+![Losses against the baseline's](sensitivity.svg)
 
 On the heavy line a converter loses as many events until 100 s as the device alone. To the right of it and above it the
 mechanism should not be used: the converter itself is the bottleneck. The longest of the checked conversion times (0.1 to 2 s)

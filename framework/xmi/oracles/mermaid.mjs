@@ -1,5 +1,6 @@
 // Tells how Mermaid itself understands state diagrams: the file has several, each before a line ====. For each of them, in order,
-// prints a line for each state, "state ID PARENT", and each transition, "edge SOURCE TARGET : LABEL", and then a line ====.
+// prints a line for each state, "state ID PARENT", and each transition, "edge SOURCE TARGET : LABEL", and then a line ====. If
+// Mermaid refuses the diagram, the first line of its message is printed, "refused MESSAGE".
 import fs from "node:fs";
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
@@ -23,7 +24,13 @@ const end = (id) => (/_(start|end)$/.test(id) ? "[*]" : id);
 
 const lines = [];
 for (const text of fs.readFileSync(process.argv[3], "utf8").split("====\n").slice(0, -1)) {
-  const data = (await mermaid.mermaidAPI.getDiagramFromText(text)).db.getData();
+  let data;
+  try {
+    data = (await mermaid.mermaidAPI.getDiagramFromText(text)).db.getData();
+  } catch (refusal) {
+    lines.push(`refused ${refusal.message.split("\n")[0]}`, "====");
+    continue;
+  }
   const nodes = new Map(data.nodes.map((node) => [node.id, node]));
   const isDivider = (id) => nodes.get(id)?.shape === "divider";
   for (const node of data.nodes) {

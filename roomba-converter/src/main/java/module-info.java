@@ -9,11 +9,11 @@ module org.evoloop.roomba {
     requires org.evoloop.journal;
     requires org.evoloop.mqtt;
     requires org.evoloop.page;
-    requires org.evoloop.program;
     requires org.evoloop.roomba.camera;
     requires org.evoloop.roomba.session;
     requires org.evoloop.roomba.simulator;
     requires org.evoloop.service;
+    requires org.evoloop.svg;
     requires org.evoloop.xmi;
     requires org.slf4j;
 

@@ -19,12 +19,18 @@ module org.evoloop.models {
     requires org.eclipse.emf.common;
     requires org.eclipse.emf.ecore;
     requires org.evoloop.check;
+    requires org.evoloop.config;
+    requires org.evoloop.console;
+    requires org.evoloop.device;
     requires org.evoloop.journal;
-    requires org.evoloop.program;
+    requires org.evoloop.service;
+    requires org.evoloop.svg;
     requires org.evoloop.xmi;
     requires tools.jackson.databind;
 
     opens org.evoloop.models to
+            info.picocli;
+    opens org.evoloop.models.device to
             info.picocli;
     opens org.evoloop.models.evolution to
             tools.jackson.databind;

@@ -2,7 +2,7 @@ package org.evoloop;
 
 import java.nio.file.Path;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 
 /** The models of a whole Roomba. */
 public final class RoombaPair {
@@ -10,7 +10,7 @@ public final class RoombaPair {
 
     /** The evolution with this name. */
     public static ModelPair of(String evolution) {
-        XmiFile file = XmiFile.read(Path.of(System.getProperty("evoloop.root"), "models", "roomba.xml"));
+        ModelFile file = ModelFile.read(Path.of(System.getProperty("evoloop.root"), "models", "roomba.xml"));
         return new ModelPair(file.pick("original"), file.pick(evolution));
     }
 }

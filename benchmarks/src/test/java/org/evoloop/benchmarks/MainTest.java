@@ -9,7 +9,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import picocli.CommandLine;
 
 class MainTest {
     private final StringWriter errors = new StringWriter();
@@ -22,13 +21,6 @@ class MainTest {
     void namesAnOptionThatThereIsNot() {
         assertThat(run("--slowly")).isEqualTo(2);
         assertThat(errors.toString()).contains("--slowly").contains("./evoloop bench --help");
-    }
-
-    /** ./evoloop prints this file, so that it need not build anything for the help. */
-    @Test
-    void theHelpThatNeedsNoBuildIsThatOfTheProgram() {
-        assertThat(Path.of(System.getProperty("evoloop.root"), "benchmarks", "help.txt"))
-                .hasContent(Main.commandLine().getUsageMessage(CommandLine.Help.Ansi.OFF));
     }
 
     @Test

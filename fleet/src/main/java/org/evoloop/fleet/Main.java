@@ -2,10 +2,10 @@ package org.evoloop.fleet;
 
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import org.evoloop.config.UsersMistakes;
 import org.evoloop.fleet.bench.BenchCommand;
 import org.evoloop.fleet.stream.FleetException;
 import org.evoloop.fleet.wire.Refusal;
-import org.evoloop.program.UsersMistakes;
 import org.evoloop.statemachine.ModelException;
 import picocli.CommandLine;
 

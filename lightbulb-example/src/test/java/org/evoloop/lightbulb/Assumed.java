@@ -1,8 +1,6 @@
 package org.evoloop.lightbulb;
 
 import java.nio.file.Path;
-import org.evoloop.check.timing.TimeRules;
-import org.evoloop.config.Settings;
 import org.evoloop.console.Console;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.PushMonitor;
@@ -11,11 +9,9 @@ import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.migration.Mapping;
 import org.evoloop.mqtt.BrokerAddress;
-import org.evoloop.service.ServiceOptions;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.testkit.DeviceLine;
 import org.evoloop.time.Clock;
-import org.evoloop.xmi.XmiFile;
 
 /** What the snippets of the guides take for granted; {@link Snippet} compiles them as code of a subclass. */
 @SuppressWarnings("NullAway.Init") // they are compiled only
@@ -29,9 +25,7 @@ abstract class Assumed {
     StateMachine evolved;
     Mapping mapping;
     Path file;
-    Settings settings;
-    ServiceOptions unattended;
-    Lamp lamp;
+    LightBulb lamp;
     Receiver receiver;
     Kettle kettle;
 
@@ -55,12 +49,6 @@ abstract class Assumed {
 
     interface Kettle {
         double celsius();
-    }
-
-    record Models(XmiFile machines, ModelPair pair, TimeRules rules) {
-        static Models read(Path file) {
-            throw new UnsupportedOperationException(file.toString());
-        }
     }
 
     static class RobotKnowledge extends StateKnowledge {

@@ -6,21 +6,21 @@ import java.nio.file.Path;
 import java.time.Duration;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.testkit.ConverterHarness;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.junit.jupiter.api.Test;
 
 /** The evolution of the paper's section III, as someone in front of the lamp sees it. */
 class LampStoryTest {
-    private static final XmiFile MACHINES =
-            XmiFile.read(Path.of(System.getProperty("evoloop.root"), "models", "light-bulb.xml"));
+    private static final ModelFile MACHINES =
+            ModelFile.read(Path.of(System.getProperty("evoloop.root"), "models", "light-bulb.xml"));
     private static final String DARK = "( ) dark";
     private static final String DAYLIGHT = "(*) daylight";
     private static final String INCANDESCENT = "(*) incandescent";
 
-    private final Lamp lamp = new Lamp();
+    private final LightBulb lamp = new LightBulb();
     private final ConverterHarness converter = ConverterHarness.of(
-                    new LampKnowledge(new ModelPair(MACHINES.pick("original"), MACHINES.pick("new")), lamp))
-            .with(new LampExecute(lamp))
+                    lamp.knowledge(new ModelPair(MACHINES.pick("original"), MACHINES.pick("new"))))
+            .with(lamp.execute())
             .start();
 
     private void operateSwitch() {

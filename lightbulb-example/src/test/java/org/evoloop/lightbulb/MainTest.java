@@ -47,7 +47,7 @@ class MainTest {
                 "-XX:TieredStopAtLevel=1",
                 "-cp",
                 classPath,
-                Main.class.getName()));
+                LightBulb.class.getName()));
         command.addAll(List.of(options));
         return command;
     }
@@ -162,15 +162,6 @@ class MainTest {
         assertRefused(
                 program(ROOT, "--mqtt", "mqtt://ha:s3cret@b"),
                 "error: --mqtt: the broker's URL mqtt://ha:***@b contains");
-    }
-
-    @Test
-    void theFrontDoorsHelpIsTheProgramsOwn() throws Exception {
-        Process own = program(ROOT, "--help");
-        Process door = new ProcessBuilder(ROOT + "/evoloop", "lightbulb", "--help").start();
-        assertThat(own.inputReader(StandardCharsets.UTF_8).lines().toList())
-                .isEqualTo(door.inputReader(StandardCharsets.UTF_8).lines().toList());
-        assertThat(own.waitFor()).isZero();
     }
 
     @Test

@@ -16,13 +16,15 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import org.evoloop.config.Options;
+import org.evoloop.config.Settings;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.gpio.GpioMonitor;
+import org.evoloop.gpio.PinOptions;
 import org.evoloop.gpio.Pins;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.ManualClock;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.junit.jupiter.api.Test;
 
 /** The light bulb with Pi4J's mocked pins. */
@@ -32,8 +34,10 @@ class WiringTest {
             .add(MockDigitalInputProvider.newInstance(), MockDigitalOutputProvider.newInstance())
             .build();
 
-    private static Wiring wiring(String... arguments) {
-        return new Wiring(Options.named("lamp", "Wired.").and(Wiring.OPTIONS).read(List.of(arguments), Map.of()));
+    private static Settings options(String... arguments) {
+        return Options.named("lamp", "Wired.")
+                .and(PinOptions.of(List.of(LightBulb.SWITCH_PIN, LightBulb.LAMP_PINS)))
+                .read(List.of(arguments), Map.of());
     }
 
     private void contact(boolean closed) {
@@ -51,15 +55,14 @@ class WiringTest {
 
     @Test
     void aButtonAndTwoLampsAreTheWholeLightBulb() {
-        XmiFile machines = XmiFile.read(Path.of("../models/light-bulb.xml"));
+        ModelFile machines = ModelFile.read(Path.of("../models/light-bulb.xml"));
         ModelPair models = new ModelPair(machines.pick("original"), machines.pick("new"));
-        Lamp lamp = new Lamp();
+        LightBulb lamp = new LightBulb();
         try (Pins pins = Pins.of(mock);
-                Wiring wiring = wiring("--switch-pin", "17", "--lamp-pins", "23,24");
                 SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock))) {
-            converter.addExecute(new LampExecute(lamp));
-            wiring.connect(converter, lamp, clock, pins);
-            converter.addKnowledge(new LampKnowledge(models, lamp));
+            converter.addExecute(lamp.execute());
+            lamp.wire(pins, options("--switch-pin", "17", "--lamp-pins", "23,24"), converter);
+            converter.addKnowledge(lamp.knowledge(models));
             converter.build();
             converter.start();
             contact(false);
@@ -82,16 +85,16 @@ class WiringTest {
 
     @Test
     void whatIsNoPinIsRefused() {
-        assertThatThrownBy(() -> wiring("--switch-pin", "x"))
+        assertThatThrownBy(() -> options("--switch-pin", "x"))
                 .hasMessageContaining("--switch-pin takes a GPIO number, as in --switch-pin 17; not 'x'");
-        assertThatThrownBy(() -> wiring("--lamp-pins", "23"))
-                .hasMessageContaining("--lamp-pins takes two GPIO numbers, as in --lamp-pins 23,24; not '23'");
-        assertThatThrownBy(() -> wiring("--switch-pin", "28", "--lamp-pins", "23,1"))
+        assertThatThrownBy(() -> options("--lamp-pins", "23"))
+                .hasMessageContaining("--lamp-pins takes 2 GPIO numbers, as in --lamp-pins 23,24; not '23'");
+        assertThatThrownBy(() -> options("--switch-pin", "28", "--lamp-pins", "23,1"))
                 .hasMessageContaining("--switch-pin 17, and the header has GPIO 2 to 27; not '28'")
                 .hasMessageContaining("--lamp-pins 23,24, and the header has GPIO 2 to 27; not '23,1'");
-        assertThatThrownBy(() -> wiring("--lamp-pins", "23,23"))
+        assertThatThrownBy(() -> options("--lamp-pins", "23,23"))
                 .hasMessage("--lamp-pins has GPIO 23, which is used already; give each a pin of its own");
-        assertThatThrownBy(() -> wiring("--switch-pin", "24", "--lamp-pins", "23,24"))
+        assertThatThrownBy(() -> options("--switch-pin", "24", "--lamp-pins", "23,24"))
                 .hasMessage("--lamp-pins has GPIO 24, which is used already; give each a pin of its own");
     }
 }

@@ -12,10 +12,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
+import org.evoloop.config.CommandOptions;
 import org.evoloop.config.Mistakes;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.journal.Journal;
-import org.evoloop.program.CommandOptions;
 import org.evoloop.roomba.camera.CameraException;
 import org.evoloop.roomba.camera.CameraSource;
 import org.evoloop.roomba.camera.tool.CameraOptions;
@@ -24,9 +24,9 @@ import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.Clock;
+import org.evoloop.xmi.ModelFile;
 import org.evoloop.xmi.ModelFiles;
 import org.evoloop.xmi.ModelReference;
-import org.evoloop.xmi.XmiFile;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -279,8 +279,8 @@ final class ConverterOptions {
             return mistakes.tried("models", Main::isUsersMistake, () -> {
                 Path file =
                         named == null ? ModelFiles.find("models/cleaning-robot.xml", ConverterOptions.class) : named;
-                XmiFile whole = XmiFile.read(file);
-                XmiFile machines = unit.map(whole::withTimeUnit).orElse(whole);
+                ModelFile whole = ModelFile.read(file);
+                ModelFile machines = unit.map(whole::withTimeUnit).orElse(whole);
                 return new ModelPair(named(machines.pick("original"), file), named(machines.pick("new"), file));
             });
         }

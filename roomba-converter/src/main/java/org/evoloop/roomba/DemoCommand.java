@@ -16,8 +16,8 @@ import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
+import org.evoloop.xmi.ModelFile;
 import org.evoloop.xmi.ModelFiles;
-import org.evoloop.xmi.XmiFile;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -109,7 +109,7 @@ final class DemoCommand implements Callable<Integer> {
     }
 
     private void play(Scenario next) throws IOException, InterruptedException, Play.Unfulfilled {
-        XmiFile file = XmiFile.read(ModelFiles.find("models/cleaning-robot.xml", DemoCommand.class));
+        ModelFile file = ModelFile.read(ModelFiles.find("models/cleaning-robot.xml", DemoCommand.class));
         RobotModels models = RobotModels.of(new ModelPair(file.pick("original"), file.pick("new")));
         boolean camera = next == Scenario.REMOTE_START;
         double pace = camera ? Math.min(speed, FASTEST_WITH_CAMERA) : speed;

@@ -4,11 +4,11 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import org.evoloop.page.Picture;
-import org.evoloop.program.Svg;
 import org.evoloop.roomba.session.OdometryPose;
 import org.evoloop.roomba.session.RoombaSession;
 import org.evoloop.roomba.session.SessionListener;
 import org.evoloop.roomba.session.Telemetry;
+import org.evoloop.svg.Svg;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -7,10 +7,10 @@ import java.util.Collections;
 import java.util.List;
 import org.evoloop.config.ConfigException;
 import org.evoloop.config.Settings;
+import org.evoloop.config.UsersMistakes;
 import org.evoloop.journal.JournalException;
 import org.evoloop.link.LinkException;
 import org.evoloop.link.SerialLink;
-import org.evoloop.program.UsersMistakes;
 import org.evoloop.roomba.camera.CameraException;
 import org.evoloop.roomba.camera.tool.CalibrateCommand;
 import org.evoloop.roomba.camera.tool.CameraCommand;
@@ -20,7 +20,7 @@ import org.evoloop.roomba.simulator.SimulatorCommand;
 import org.evoloop.service.Ctl;
 import org.evoloop.service.ErrorOutput;
 import org.evoloop.statemachine.ModelException;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import picocli.CommandLine;
 
 /** Runs the command line; a usage error prints one line and exits with status 2. */
@@ -80,7 +80,7 @@ public final class Main {
 
     /** Runs in parallel with parsing the options, which takes about as long. */
     private static void loadSlowParts() {
-        XmiFile.prepare();
+        ModelFile.prepare();
         try {
             SerialLink.prepare();
         } catch (LinkException | ExceptionInInitializerError reportedWhenALinkIsOpened) {

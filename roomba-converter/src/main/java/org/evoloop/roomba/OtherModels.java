@@ -9,8 +9,8 @@ import org.evoloop.console.NewModels;
 import org.evoloop.converter.Probation;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.StateMachine;
+import org.evoloop.xmi.ModelFile;
 import org.evoloop.xmi.ModelReference;
-import org.evoloop.xmi.XmiFile;
 
 /**
  * Models to which the robot may evolve at run time, with the property files next to them.
@@ -29,7 +29,7 @@ final class OtherModels implements NewModels {
 
     @Override
     public StateMachine read(String reference) {
-        return XmiFile.machine(reference).withName(reference);
+        return ModelFile.machine(reference).withName(reference);
     }
 
     @Override
@@ -50,6 +50,6 @@ final class OtherModels implements NewModels {
 
     @Override
     public List<String> offered() {
-        return XmiFile.read(file).references();
+        return ModelFile.read(file).references();
     }
 }

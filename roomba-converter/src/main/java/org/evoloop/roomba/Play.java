@@ -11,8 +11,8 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.Clock;
+import org.evoloop.xmi.ModelFile;
 import org.evoloop.xmi.ModelFiles;
-import org.evoloop.xmi.XmiFile;
 
 /**
  * Plays a scenario with a converter and a simulated robot: presses buttons and waits for the required results, in the
@@ -62,7 +62,8 @@ final class Play {
 
     /** Evolves to another new model while the robot keeps running. */
     Play evolve(String models) {
-        StateMachine evolved = XmiFile.read(ModelFiles.find(models, Play.class)).only();
+        StateMachine evolved =
+                ModelFile.read(ModelFiles.find(models, Play.class)).only();
         ModelPair next = new ModelPair(roomba.models().pair().original(), evolved);
         roomba.converter().evolve(Evolution.to(roomba.converter().knowledgeOf(next)));
         return this;

@@ -12,7 +12,7 @@ import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.simulator.robot.RobotActivity;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -26,7 +26,7 @@ class AuthorsModelTest {
     Path folder;
 
     private SteppedRoomba roomba() throws Exception {
-        XmiFile file = XmiFile.read(AuthorsPair.write(folder.resolve("robot.xml")));
+        ModelFile file = ModelFile.read(AuthorsPair.write(folder.resolve("robot.xml")));
         return new SteppedRoomba(
                 RobotOptions.defaults(),
                 new ModelPair(file.pick("original"), file.pick("new")),

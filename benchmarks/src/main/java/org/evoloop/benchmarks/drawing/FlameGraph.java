@@ -5,7 +5,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import org.evoloop.benchmarks.profile.Profile;
-import org.evoloop.program.Svg;
+import org.evoloop.svg.Svg;
 
 /**
  * A flame graph drawn from the top: a thread, and below each method the ones it called, with a width proportional to

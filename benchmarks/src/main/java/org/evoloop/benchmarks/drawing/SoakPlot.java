@@ -5,7 +5,7 @@ import java.util.function.ToDoubleFunction;
 import org.evoloop.benchmarks.report.SoakResults;
 import org.evoloop.benchmarks.report.SoakSample;
 import org.evoloop.benchmarks.report.Table;
-import org.evoloop.program.Svg;
+import org.evoloop.svg.Svg;
 
 /** Plots a soak: one panel for each figure, from the first event to the last. */
 public final class SoakPlot {

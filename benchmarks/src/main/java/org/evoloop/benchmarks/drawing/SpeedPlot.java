@@ -8,7 +8,7 @@ import java.util.stream.Stream;
 import org.evoloop.benchmarks.report.Results;
 import org.evoloop.benchmarks.report.Row;
 import org.evoloop.benchmarks.report.Table;
-import org.evoloop.program.Svg;
+import org.evoloop.svg.Svg;
 
 /**
  * Plots a run: the time of a decision, ours and others', and the time of the loop compared with bare rings, each with

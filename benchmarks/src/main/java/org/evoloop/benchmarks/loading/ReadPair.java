@@ -9,7 +9,7 @@ import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.Event;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 
 /** Reads a pair of models from a file and compiles its decisions. */
 public final class ReadPair {
@@ -29,13 +29,13 @@ public final class ReadPair {
     }
 
     static DecisionTable compile(Path path) {
-        XmiFile file = XmiFile.read(path);
+        ModelFile file = ModelFile.read(path);
         return compile(new ModelPair(file.pick("original"), file.pick("new")));
     }
 
     static DecisionTable compile(Path original, Path evolved) {
         return compile(new ModelPair(
-                XmiFile.read(original).only(), XmiFile.read(evolved).only()));
+                ModelFile.read(original).only(), ModelFile.read(evolved).only()));
     }
 
     private static DecisionTable compile(ModelPair pair) {

@@ -8,7 +8,7 @@ import java.util.Map;
 import org.evoloop.benchmarks.report.Figures;
 import org.evoloop.benchmarks.report.Row;
 import org.evoloop.statemachine.StateMachine;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 
 /** The same machine of 1,000 states and 5,000 transitions, read as Mermaid and as UML 2 in XMI, alternating. */
 public final class ReadText {
@@ -44,7 +44,7 @@ public final class ReadText {
     private static double millis(byte[] file) {
         long begun = THREADS.getCurrentThreadCpuTime();
         StateMachine machine =
-                XmiFile.read("large", new ByteArrayInputStream(file)).only();
+                ModelFile.read("large", new ByteArrayInputStream(file)).only();
         double millis = (THREADS.getCurrentThreadCpuTime() - begun) / 1e6;
         if (machine.states().size() != STATES || machine.transitions().size() != STATES * EVENTS) {
             throw new IllegalStateException("read " + machine.states().size() + " states");

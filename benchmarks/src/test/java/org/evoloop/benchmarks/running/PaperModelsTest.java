@@ -4,13 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
 import org.evoloop.statemachine.StateMachine;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.junit.jupiter.api.Test;
 
 class PaperModelsTest {
     @Test
     void areTheSameAsInTheModelFile() {
-        XmiFile file = XmiFile.read(Path.of(System.getProperty("evoloop.root"), "models", "cleaning-robot.xml"));
+        ModelFile file = ModelFile.read(Path.of(System.getProperty("evoloop.root"), "models", "cleaning-robot.xml"));
 
         assertSame(PaperModels.cleaningRobot().original(), file.pick("original"));
         assertSame(PaperModels.cleaningRobot().evolved(), file.pick("new"));

@@ -20,7 +20,7 @@ import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 
 /**
  * A pair of models in {@link Topic#MODELS}.
@@ -141,8 +141,13 @@ public record ModelRecord(
     }
 
     private Rules rules() {
+<<<<<<< HEAD
         XmiFile models = XmiFile.read(file, new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
         ModelPair pair = using(new ModelPair(models.pick(original), models.pick(evolved)));
+=======
+        ModelFile models = ModelFile.read(file, new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
+        ModelPair pair = new ModelPair(models.pick(original), models.pick(evolved));
+>>>>>>> h-core48
         pair.requireValid();
         DecisionTable table = DecisionTable.compile(pair, device(pair.original()));
         if (!table.problems().isEmpty()) {

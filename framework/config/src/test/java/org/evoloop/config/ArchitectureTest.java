@@ -16,7 +16,12 @@ class ArchitectureTest {
             .should()
             .onlyDependOnClassesThat()
             .resideInAnyPackage(
-                    "org.evoloop.config", "org.evoloop.statemachine", "org.snakeyaml..", "org.jspecify..", "java..");
+                    "org.evoloop.config",
+                    "org.evoloop.statemachine",
+                    "org.snakeyaml..",
+                    "org.jspecify..",
+                    "picocli..",
+                    "java..");
 
     @ArchTest
     static final ArchRule oneClassKnowsTheYamlLibrary = noClasses()

@@ -5,6 +5,8 @@ import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
 import java.util.function.Function;
+import java.util.function.Supplier;
+import org.evoloop.statemachine.Names;
 
 /**
  * A command of a {@link Console}.
@@ -45,6 +47,51 @@ public record ConsoleCommand(
          * @throws Exception any failure: its message, which should say how to fix it, becomes the console's error line
          */
         void run(List<String> arguments, PrintStream out) throws Exception;
+    }
+
+    /** The action of a command about something that has a name. */
+    @FunctionalInterface
+    public interface NamedAction {
+        /**
+         * Performs the command.
+         *
+         * @param name the name, with its blanks
+         * @param rest the arguments that follow it
+         * @throws Exception as {@link Action#run}
+         */
+        void run(String name, List<String> rest) throws Exception;
+    }
+
+    /**
+     * A command whose first argument is one of these names, which are completed. A blank in a name is typed as {@code
+     * _}.
+     *
+     * @param names what there is when the command is typed; any other name is refused
+     */
+    public static ConsoleCommand naming(
+            String usage, String help, Supplier<? extends Collection<?>> names, NamedAction action) {
+        return of(
+                        usage,
+                        help,
+                        (arguments, out) -> action.run(
+                                named(arguments.get(0), names.get()), arguments.subList(1, arguments.size())))
+                .completing(before -> before.isEmpty() ? typed(names.get()) : List.of());
+    }
+
+    private static String named(String typed, Collection<?> names) {
+        return names.stream()
+                .map(Object::toString)
+                .filter(name -> typed(List.of(name)).contains(typed))
+                .findFirst()
+                .orElseThrow(
+                        () -> new IllegalArgumentException("there is no " + typed + Names.hint(typed, typed(names))));
+    }
+
+    private static List<String> typed(Collection<?> names) {
+        return names.stream()
+                .map(name -> name.toString().replaceAll("\\s", "_"))
+                .sorted()
+                .toList();
     }
 
     /** A command without completion of its arguments. */

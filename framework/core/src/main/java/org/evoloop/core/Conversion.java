@@ -46,7 +46,7 @@ abstract sealed class Conversion extends Arrivals permits Core {
             return;
         }
         Pending pending = progress.pending();
-        if (!pending.isUrgent() && ledger.line.holdsFacts()) {
+        if (!pending.isUrgent() && ledger.isToFollowFirst()) {
             again(pending, "what the device did by itself is heard first");
             return;
         }

@@ -97,6 +97,11 @@ final class Ledger {
         return rules.table().isWhereNeeded(place.at());
     }
 
+    /** Whether the new model has yet to hear what the device did, or to follow it out of a state that needs it. */
+    boolean isToFollowFirst() {
+        return line.holdsFacts() || (followOwed && !isWhereNeeded());
+    }
+
     // Outcomes
 
     void ended(

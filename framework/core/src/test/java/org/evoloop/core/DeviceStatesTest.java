@@ -108,6 +108,24 @@ class DeviceStatesTest {
         assertThat(sent()).isEmpty();
     }
 
+    /** The device could have taken the press twice, by hand and from here; what is asked for meanwhile waits. */
+    @Test
+    void aLateEffectIsFollowedBeforeWhatHasItsTurnIsDecided() {
+        door.press("gap").begins();
+        long gap = door.number();
+        door.givenUp().ready().planned().located("Opening");
+        door.input(new Input.TimerDue(door.core.visit(), new Event("timeout"), 10_000_000_000L))
+                .ready()
+                .sent(gap, true);
+        assertThat(door.core.at()).isEqualTo(at("StopUp", "GapMoving"));
+
+        door.planned();
+        assertThat(door.core.isBusy()).isFalse();
+        door.ready().planned();
+        assertThat(door.core.at()).isEqualTo(at("StopUp", "StopUp"));
+        assertThat(sent()).containsExactly("press");
+    }
+
     @Test
     void aStepThatHadNoEffectIsNotSentAgain() {
         door.press("gap").begins().givenUp().ready().planned().located("Closed");

@@ -3,8 +3,10 @@ package org.evoloop.models;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
+import org.evoloop.config.UsersMistakes;
 import org.evoloop.journal.JournalException;
-import org.evoloop.program.UsersMistakes;
+import org.evoloop.models.device.DeviceCommands;
 import org.evoloop.statemachine.ModelException;
 import picocli.CommandLine;
 
@@ -13,11 +15,18 @@ public final class Main {
     private Main() {}
 
     public static void main(String[] arguments) {
+        List<String> words = List.of(arguments);
+        boolean isDevice = !words.isEmpty() && words.get(0).equals("device");
+        System.exit(
+                isDevice ? DeviceCommands.run(words.subList(1, words.size()), Main::onTerminal) : onTerminal(words));
+    }
+
+    private static int onTerminal(List<String> arguments) {
         CommandLine commandLine = commandLine();
         // Names may be in any script, whatever the terminal's encoding; files and pipes expect UTF-8.
         commandLine.setOut(new PrintWriter(System.out, true, StandardCharsets.UTF_8));
         commandLine.setErr(new PrintWriter(System.err, true, StandardCharsets.UTF_8));
-        System.exit(run(commandLine, arguments));
+        return run(commandLine, arguments.toArray(String[]::new));
     }
 
     static CommandLine commandLine() {

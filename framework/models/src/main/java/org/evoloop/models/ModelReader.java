@@ -7,8 +7,8 @@ import org.evoloop.models.checking.Drawing;
 import org.evoloop.statechart.Statechart;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.StateMachine;
+import org.evoloop.xmi.ModelFile;
 import org.evoloop.xmi.ModelReference;
-import org.evoloop.xmi.XmiFile;
 import org.evoloop.xmi.XmiMachine;
 import picocli.CommandLine.Model.CommandSpec;
 
@@ -34,7 +34,7 @@ final class ModelReader {
         if (named.machine().isPresent()) {
             return only(named.find());
         }
-        XmiFile file = XmiFile.read(named.file());
+        ModelFile file = ModelFile.read(named.file());
         if (file.machines().isEmpty()) {
             return only(file.findOnly());
         }

@@ -17,7 +17,7 @@ class ArchitectureTest {
             .layer("commands")
             .definedBy("org.evoloop.models")
             .layer("scaffold")
-            .definedBy("org.evoloop.models.scaffold..")
+            .definedBy("org.evoloop.models.scaffold..", "org.evoloop.models.device..")
             .layer("checking")
             .definedBy("org.evoloop.models.checking..")
             .layer("temporal")
@@ -56,9 +56,10 @@ class ArchitectureTest {
             .mayNotAccessAnyLayer();
 
     @ArchTest
-    static final ArchRule onlyTheScaffoldWritesFiles = noClasses()
+    static final ArchRule onlyTheScaffoldAndDeviceFilesUseFiles = noClasses()
             .that()
-            .resideOutsideOfPackages("org.evoloop.models", "org.evoloop.models.scaffold..")
+            .resideOutsideOfPackages(
+                    "org.evoloop.models", "org.evoloop.models.scaffold..", "org.evoloop.models.device..")
             .should()
             .dependOnClassesThat()
             .resideInAPackage("java.nio.file..");

@@ -18,7 +18,7 @@ import org.evoloop.journal.Journal;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.testkit.ConverterHarness;
 import org.evoloop.testkit.SimulatedDevice;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -35,7 +35,7 @@ class JournalCommandTest {
 
     @BeforeEach
     void keepAJournal() {
-        XmiFile lamp = XmiFile.read(Path.of(System.getProperty("evoloop.root"), "models", "light-bulb.xml"));
+        ModelFile lamp = ModelFile.read(Path.of(System.getProperty("evoloop.root"), "models", "light-bulb.xml"));
         StateMachine original = lamp.pick("original");
         StateKnowledge knowledge = new StateKnowledge(new ModelPair(original, lamp.pick("new"))) {
             @Override

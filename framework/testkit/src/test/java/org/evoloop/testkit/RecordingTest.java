@@ -14,7 +14,7 @@ import org.evoloop.journal.Journal;
 import org.evoloop.journal.JournalException;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.StateMachineBuilder;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -43,7 +43,7 @@ class RecordingTest {
     /** As in docs/testing.md. */
     @Test
     void theLampStillDecidesAsOnSunday() {
-        XmiFile file = XmiFile.read(MODELS.resolve("light-bulb.xml"));
+        ModelFile file = ModelFile.read(MODELS.resolve("light-bulb.xml"));
         Recording.in(sunday)
                 .withProperties(MODELS.resolve("light-bulb.properties.txt"))
                 .replay(new ModelPair(file.pick("original"), file.pick("new")))

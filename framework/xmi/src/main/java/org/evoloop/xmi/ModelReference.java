@@ -13,7 +13,7 @@ import org.evoloop.statemachine.StateMachine;
  *
  * <p>Threading: immutable.
  *
- * @param file the XMI file
+ * @param file the model file
  * @param machine diagram name, machine name or id; empty for the file's only machine
  * @param timeUnit the unit of time triggers given as a bare number, milliseconds or seconds; empty to refuse them
  * @since 0.1
@@ -79,7 +79,7 @@ public record ModelReference(Path file, Optional<String> machine, Optional<Chron
     /**
      * Reads the file and picks the machine.
      *
-     * @throws ModelException as in {@link XmiFile#read}, {@link XmiFile#pick} and {@link XmiFile#only}
+     * @throws ModelException as in {@link ModelFile#read}, {@link ModelFile#pick} and {@link ModelFile#only}
      */
     public StateMachine load() {
         return find().toStateMachine();
@@ -88,11 +88,11 @@ public record ModelReference(Path file, Optional<String> machine, Optional<Chron
     /**
      * Reads the file and finds the machine, unchecked.
      *
-     * @throws ModelException as in {@link XmiFile#read}, {@link XmiFile#find} and {@link XmiFile#findOnly}
+     * @throws ModelException as in {@link ModelFile#read}, {@link ModelFile#find} and {@link ModelFile#findOnly}
      */
     public XmiMachine find() {
-        XmiFile whole = XmiFile.read(file);
-        XmiFile read = timeUnit.map(whole::withTimeUnit).orElse(whole);
+        ModelFile whole = ModelFile.read(file);
+        ModelFile read = timeUnit.map(whole::withTimeUnit).orElse(whole);
         return machine.isPresent() ? read.find(machine.get()) : read.findOnly();
     }
 

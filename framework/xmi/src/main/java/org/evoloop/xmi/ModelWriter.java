@@ -15,7 +15,7 @@ import org.evoloop.xmi.scxml.ScxmlWriter;
 import org.evoloop.xmi.text.MermaidWriter;
 
 /**
- * Writes charts in the languages that {@link XmiFile} reads. What is written is read again: a machine is written only if
+ * Writes charts in the languages that {@link ModelFile} reads. What is written is read again: a machine is written only if
  * it would then be the same.
  *
  * <p>Threading: pure functions, which any thread may call.
@@ -85,7 +85,8 @@ public enum ModelWriter {
     private Optional<String> difference(StateMachine machine, String text) {
         StateMachine read;
         try {
-            read = XmiFile.read("written" + extension, new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)))
+            read = ModelFile.read(
+                            "written" + extension, new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)))
                     .only();
         } catch (ModelException unreadable) {
             return Optional.of("what would be written cannot be read again: " + unreadable.getMessage());

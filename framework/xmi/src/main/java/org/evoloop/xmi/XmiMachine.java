@@ -13,7 +13,7 @@ import org.evoloop.xmi.dialect.Problems;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One state machine of an {@link XmiFile}, not checked yet.
+ * One state machine of an {@link ModelFile}, not checked yet.
  *
  * <p>Threading: immutable.
  *

@@ -28,11 +28,11 @@ class DialectBoundsTest {
     private static final String UML14 = "<XMI xmi.version='1.2' xmlns:UML='org.omg.xmi.namespace.UML'><XMI.content>";
     private static final String SCXML = "<scxml xmlns='http://www.w3.org/2005/07/scxml'>";
 
-    private static XmiFile read(Stream<String> parts) {
+    private static ModelFile read(Stream<String> parts) {
         Iterator<InputStream> bytes = parts.<InputStream>map(
                         part -> new ByteArrayInputStream(part.getBytes(StandardCharsets.UTF_8)))
                 .iterator();
-        return XmiFile.read("F.xml", new SequenceInputStream(new Enumeration<InputStream>() {
+        return ModelFile.read("F.xml", new SequenceInputStream(new Enumeration<InputStream>() {
             @Override
             public boolean hasMoreElements() {
                 return bytes.hasNext();

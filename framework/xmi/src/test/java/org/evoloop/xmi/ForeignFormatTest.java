@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** A format that is known and not read is called by its name, with the way to go on. */
 class ForeignFormatTest {
     private static void assertRefused(String name, byte[] bytes, String... words) {
-        assertThatThrownBy(() -> XmiFile.read(name, new ByteArrayInputStream(bytes)))
+        assertThatThrownBy(() -> ModelFile.read(name, new ByteArrayInputStream(bytes)))
                 .isInstanceOf(ModelException.class)
                 .hasMessageStartingWith(name + ": is ")
                 .hasMessageContainingAll(words);
@@ -65,8 +65,8 @@ class ForeignFormatTest {
     @Test
     void whatPapyrusDrawsIsNotTheModel() {
         String notation = "<xmi:XMI xmlns:xmi='http://www.omg.org/XMI'/>";
-        XmiFile file =
-                XmiFile.read("lamp.notation", new ByteArrayInputStream(notation.getBytes(StandardCharsets.UTF_8)));
+        ModelFile file =
+                ModelFile.read("lamp.notation", new ByteArrayInputStream(notation.getBytes(StandardCharsets.UTF_8)));
 
         assertThatThrownBy(file::only).hasMessageContaining("name the .uml file beside it");
     }

@@ -74,7 +74,7 @@ class ModelFilesTest {
 
     @Test
     void aMachineAnswersToItsDiagramNameItsOwnNameAndItsId() {
-        XmiFile file = XmiFile.read(MODELS.resolve("cleaning-robot.xml"));
+        ModelFile file = ModelFile.read(MODELS.resolve("cleaning-robot.xml"));
 
         assertThat(file.machines()).extracting(XmiMachine::name).containsExactly("original", "new");
         assertThat(file.machines())
@@ -88,7 +88,7 @@ class ModelFilesTest {
 
     private static void assertMachine(
             String reference, String initial, List<String> states, List<String> events, List<String> transitions) {
-        StateMachine machine = XmiFile.machine(MODELS.resolve(reference).toString());
+        StateMachine machine = ModelFile.machine(MODELS.resolve(reference).toString());
 
         assertThat(machine.name()).isEqualTo(reference.substring(reference.indexOf('#') + 1));
         assertThat(machine.initial()).isEqualTo(new State(initial));

@@ -9,8 +9,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** The examples in {@code models} are the same machines as drawings and as text. */
 class ModelTextsTest {
-    private static XmiFile read(String name) {
-        return XmiFile.read(Path.of(System.getProperty("evoloop.root"), "models", name));
+    private static ModelFile read(String name) {
+        return ModelFile.read(Path.of(System.getProperty("evoloop.root"), "models", name));
     }
 
     @ParameterizedTest
@@ -23,7 +23,7 @@ class ModelTextsTest {
         "light-bulb.xml, ../README.md"
     })
     void theTextIsTheDrawing(String drawing, String text) {
-        XmiFile texts = read(text);
+        ModelFile texts = read(text);
 
         for (XmiMachine drawn : read(drawing).machines()) {
             assertThat(SameMachine.difference(

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class ModelWriterTest {
     private static Statechart plantUml(String lines) {
         String text = "@startuml lamp\n" + lines.replace(" ; ", "\n") + "\n@enduml\n";
-        return XmiFile.read("lamp.puml", new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)))
+        return ModelFile.read("lamp.puml", new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)))
                 .findOnly()
                 .statechart();
     }

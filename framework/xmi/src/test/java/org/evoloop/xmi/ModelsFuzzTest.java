@@ -27,8 +27,8 @@ class ModelsFuzzTest {
     @FuzzTest
     void aModelFileIsReadOrRefused(byte[] bytes) {
         try {
-            for (XmiMachine machine :
-                    XmiFile.read("fuzzed.xml", new ByteArrayInputStream(bytes)).machines()) {
+            for (XmiMachine machine : ModelFile.read("fuzzed.xml", new ByteArrayInputStream(bytes))
+                    .machines()) {
                 flatten(machine);
             }
         } catch (ModelException refused) {

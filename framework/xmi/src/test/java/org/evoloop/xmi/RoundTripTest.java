@@ -34,7 +34,7 @@ class RoundTripTest {
                 continue;
             }
             written++;
-            XmiFile file = XmiFile.read("written", new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
+            ModelFile file = ModelFile.read("written", new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
             assertThat(SameMachine.difference(flat.machine(), file.only()))
                     .as("seed %s", seed)
                     .isEmpty();

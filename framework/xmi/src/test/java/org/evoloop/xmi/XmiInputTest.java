@@ -103,7 +103,7 @@ class XmiInputTest {
         for (int round = 0; round < 150; round++) {
             Path file = Files.write(directory.resolve("damaged.xml"), damage(original, random));
             try {
-                XmiFile.read(file).machines().forEach(XmiInputTest::use);
+                ModelFile.read(file).machines().forEach(XmiInputTest::use);
             } catch (ModelException refused) {
                 if (!String.valueOf(refused.getMessage()).startsWith(file + ": ")) {
                     throw new AssertionError("seed " + seed + ", round " + round, refused);
@@ -141,7 +141,7 @@ class XmiInputTest {
     }
 
     private static void assertRefused(Path file, String problem) {
-        assertThatThrownBy(() -> XmiFile.read(file))
+        assertThatThrownBy(() -> ModelFile.read(file))
                 .isInstanceOf(ModelException.class)
                 .hasMessageStartingWith(file + ": ")
                 .hasMessageContaining(problem);

@@ -48,18 +48,18 @@ class ZippedModelTest {
     void readsTheOnlyDocument() throws IOException {
         Path project = zip("robot.argo", "robot.xmi", "robot_1.pgml");
 
-        assertThat(XmiFile.read(project).only().initial()).hasToString("A");
+        assertThat(ModelFile.read(project).only().initial()).hasToString("A");
         Files.delete(project);
     }
 
     @Test
     void refusesSeveralAndNone() throws IOException {
         Path several = zip("a.xmi", "b.xmi");
-        assertThatThrownBy(() -> XmiFile.read(several))
+        assertThatThrownBy(() -> ModelFile.read(several))
                 .isInstanceOf(ModelException.class)
                 .hasMessageContaining("2 XMI documents in it (a.xmi, b.xmi); unpack it and name one");
         Path none = zip("project.jude");
-        assertThatThrownBy(() -> XmiFile.read(none))
+        assertThatThrownBy(() -> ModelFile.read(none))
                 .isInstanceOf(ModelException.class)
                 .hasMessageContaining("is a zip archive");
     }
@@ -82,7 +82,7 @@ class ZippedModelTest {
     void refusesABombBeforeItIsUnpacked() throws IOException {
         Path bomb = bomb();
 
-        assertThatThrownBy(() -> XmiFile.read(bomb))
+        assertThatThrownBy(() -> ModelFile.read(bomb))
                 .isInstanceOf(ModelException.class)
                 .hasMessageContaining(
                         "bomb.zargo: is a zip archive whose document robot.xmi would have 32 MiB, more than 100")
@@ -97,7 +97,7 @@ class ZippedModelTest {
         ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).putInt(directoryEntry + 24, 1 << 20);
         Path liar = Files.write(directory.resolve("liar.zargo"), bytes);
 
-        assertThatThrownBy(() -> XmiFile.read(liar))
+        assertThatThrownBy(() -> ModelFile.read(liar))
                 .isInstanceOf(ModelException.class)
                 .hasMessageContaining("liar.zargo: is a damaged zip archive, whose document is longer than it says");
     }
@@ -105,7 +105,7 @@ class ZippedModelTest {
     @Test
     void refusesADamagedArchive() throws IOException {
         Path damaged = Files.write(directory.resolve("x.zargo"), new byte[] {'P', 'K', 3, 4, 0, 0});
-        assertThatThrownBy(() -> XmiFile.read(damaged))
+        assertThatThrownBy(() -> ModelFile.read(damaged))
                 .isInstanceOf(ModelException.class)
                 .hasMessageContaining("x.zargo: is a zip archive");
     }

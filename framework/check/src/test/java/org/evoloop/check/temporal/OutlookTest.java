@@ -10,7 +10,7 @@ import org.evoloop.check.CheckInput;
 import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.FieldSource;
@@ -51,7 +51,7 @@ class OutlookTest {
     private static final Moment START = new Moment(ROBOT.initial(), null);
 
     private static ModelPair robot() {
-        XmiFile file = XmiFile.read(Path.of(System.getProperty("evoloop.root"), "models", "cleaning-robot.xml"));
+        ModelFile file = ModelFile.read(Path.of(System.getProperty("evoloop.root"), "models", "cleaning-robot.xml"));
         return new ModelPair(file.pick("original"), file.pick("new"));
     }
 

@@ -19,7 +19,7 @@ import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Values;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.junit.jupiter.api.Test;
 
 /** Properties watched while the cleaning robot receives events. */
@@ -29,7 +29,7 @@ class PropertyWatchTest {
             ROBOT, CheckInput.of(ROBOT).withOwnEvents(Set.of("endSpot")).device());
 
     private static ModelPair robot() {
-        XmiFile file = XmiFile.read(Path.of(System.getProperty("evoloop.root"), "models", "cleaning-robot.xml"));
+        ModelFile file = ModelFile.read(Path.of(System.getProperty("evoloop.root"), "models", "cleaning-robot.xml"));
         return new ModelPair(file.pick("original"), file.pick("new"));
     }
 

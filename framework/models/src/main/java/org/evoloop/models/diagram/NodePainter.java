@@ -7,7 +7,7 @@ import java.util.Objects;
 import org.evoloop.models.diagram.Diagram.Node;
 import org.evoloop.models.diagram.Diagram.Shape;
 import org.evoloop.models.diagram.Layout.Box;
-import org.evoloop.program.Svg;
+import org.evoloop.svg.Svg;
 
 /** Paints nodes in UML's notation. */
 final class NodePainter {

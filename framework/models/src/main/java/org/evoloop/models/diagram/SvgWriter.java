@@ -10,7 +10,7 @@ import org.evoloop.models.diagram.Diagram.Tone;
 import org.evoloop.models.diagram.Layout.Box;
 import org.evoloop.models.diagram.Layout.Point;
 import org.evoloop.models.diagram.Layout.Wire;
-import org.evoloop.program.Svg;
+import org.evoloop.svg.Svg;
 
 /**
  * Writes diagrams as one SVG picture: a frame for each, and a legend if an element has a special tone. Equal diagrams

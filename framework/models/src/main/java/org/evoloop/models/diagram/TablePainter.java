@@ -3,7 +3,7 @@ package org.evoloop.models.diagram;
 import java.util.ArrayList;
 import java.util.List;
 import org.evoloop.models.diagram.Diagram.Tone;
-import org.evoloop.program.Svg;
+import org.evoloop.svg.Svg;
 
 /** Draws a table; long text in a cell is wrapped. */
 final class TablePainter {

@@ -3,7 +3,7 @@ package org.evoloop.models.diagram;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
-import org.evoloop.program.Svg;
+import org.evoloop.svg.Svg;
 
 /**
  * Draws a timing diagram in UML's notation: a lane for each lifeline, a level for each state, time from left to right.

@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -137,19 +138,28 @@ public final class Scaffold {
         content.text(ProjectDirectory.GENERATED + "/" + FUNCTIONS, names.text(javaPackage));
         file("pom.xml", "pom.xml.txt");
         file("README.md", "README.md.txt");
+        Set<String> guards = guards();
+        values.put("guards", guards.stream().map(JavaText::literal).collect(Collectors.joining(", ")));
+        values.put("condition", guards.isEmpty() ? "" : Template.text("Condition.java.txt"));
         for (String name : CLASSES) {
             file(sources + name + ".java", name + ".java.txt");
         }
         file("src/test/resources/logback-test.xml", "logback-test.xml.txt");
-        boolean guarded =
-                !pair.original().guards().isEmpty() || !pair.evolved().guards().isEmpty();
-        values.put("tests", new TestText(new Scenarios(pair, request.device()).all(), guarded).methods(pair.evolved()));
+        values.put(
+                "tests",
+                new TestText(new Scenarios(pair, request.device()).all(), !guards.isEmpty()).methods(pair.evolved()));
         file("src/test/java/" + packageFolder + "TransitionsTest.java", "TransitionsTest.java.txt");
         return project.write(content.files());
     }
 
     private void file(String path, String template) {
         content.text(path, Template.fill(template, values));
+    }
+
+    private Set<String> guards() {
+        Set<String> guards = new LinkedHashSet<>(pair.original().guards());
+        guards.addAll(pair.evolved().guards());
+        return guards;
     }
 
     private static String names(Set<Event> events) {
@@ -261,8 +271,7 @@ public final class Scaffold {
 
     private String bindings() {
         StringBuilder lines = new StringBuilder();
-        Stream.concat(pair.original().guards().stream(), pair.evolved().guards().stream())
-                .distinct()
+        guards().stream()
                 .map(JavaText::literal)
                 .forEach(guard ->
                         lines.append("        guard(" + guard + ", () -> conditions.holds(" + guard + "));\n"));

@@ -14,7 +14,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.StateMachineBuilder;
 import org.evoloop.statemachine.Transition;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.junit.jupiter.api.Test;
 
 /** Reading what was written gives the same machine. */
@@ -72,7 +72,7 @@ class AstahWriterTest {
 
     static StateMachine readBack(StateMachine machine) {
         byte[] bytes = AstahWriter.write(machine).getBytes(StandardCharsets.UTF_8);
-        return XmiFile.read("written.xml", new ByteArrayInputStream(bytes)).only();
+        return ModelFile.read("written.xml", new ByteArrayInputStream(bytes)).only();
     }
 
     private static void assertReadsBack(StateMachine machine) {

@@ -17,7 +17,7 @@ import org.evoloop.models.diagram.SvgWriter;
 import org.evoloop.statechart.Arc;
 import org.evoloop.statechart.Statechart;
 import org.evoloop.statemachine.ModelException;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.evoloop.xmi.XmiMachine;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -49,7 +49,7 @@ class FormatsTest {
 
     private static List<Statechart> charts(Path file) {
         List<Statechart> charts = new ArrayList<>();
-        for (XmiMachine machine : XmiFile.read(file).machines()) {
+        for (XmiMachine machine : ModelFile.read(file).machines()) {
             try {
                 charts.add(machine.statechart());
             } catch (ModelException unusable) {

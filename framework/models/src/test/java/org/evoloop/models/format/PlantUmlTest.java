@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.junit.jupiter.api.Test;
 
 /** PlantUML names what is in the second region of a state only there, and nothing else there. */
@@ -13,7 +13,7 @@ class PlantUmlTest {
     private static String written(String content) {
         String document = "<scxml xmlns='http://www.w3.org/2005/07/scxml' version='1.0'>" + content + "</scxml>";
         return PlantUml.write(
-                List.of(XmiFile.read("F.scxml", new ByteArrayInputStream(document.getBytes(StandardCharsets.UTF_8)))
+                List.of(ModelFile.read("F.scxml", new ByteArrayInputStream(document.getBytes(StandardCharsets.UTF_8)))
                         .findOnly()
                         .statechart()));
     }

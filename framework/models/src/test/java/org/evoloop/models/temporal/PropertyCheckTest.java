@@ -14,7 +14,7 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.StateMachineBuilder;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -23,7 +23,7 @@ class PropertyCheckTest {
     private static final ModelPair ROBOT = cleaningRobot();
 
     private static ModelPair cleaningRobot() {
-        XmiFile file = XmiFile.read(Path.of(System.getProperty("evoloop.root"), "models", "cleaning-robot.xml"));
+        ModelFile file = ModelFile.read(Path.of(System.getProperty("evoloop.root"), "models", "cleaning-robot.xml"));
         return new ModelPair(file.pick("original"), file.pick("new"));
     }
 

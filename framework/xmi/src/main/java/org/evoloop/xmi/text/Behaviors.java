@@ -28,9 +28,9 @@ final class Behaviors {
     /**
      * Reads one line of a state's text.
      *
-     * @throws Label.Meaningless if it has no meaning
+     * @throws Refusal if it has no meaning
      */
-    void read(TextState state, String text, int line, int column) throws Label.Meaningless {
+    void read(TextState state, String text, int line, int column) throws Refusal {
         Matcher behavior = BEHAVIOR.matcher(text);
         String deferred = deferred(text.strip());
         if (behavior.matches()) {
@@ -46,6 +46,7 @@ final class Behaviors {
         } else if (!deferred.isEmpty()) {
             state.deferred.addAll(Label.parse(deferred, column, syntax).triggers());
         } else if (text.indexOf('/') >= 0) {
+            noteSlash(text, line, column);
             internal(state, Label.parse(text, column, syntax), line, column);
         } else if (!text.isBlank()) {
             problems.note(
@@ -56,6 +57,18 @@ final class Behaviors {
         }
     }
 
+    /** Notes how a slash was understood that could be a letter. */
+    void noteSlash(String label, int line, int column) {
+        int slash = Label.doubtfulSlash(label, syntax);
+        if (slash >= 0) {
+            problems.note(
+                    line,
+                    "column " + (column + slash) + ": "
+                            + Problems.quote(label.substring(slash + 1).strip())
+                            + " behind '/' is what is done; write blanks around the '/' if it is, or \\/ for the letter");
+        }
+    }
+
     /** The events that are deferred, {@code defer / e} or {@code e / defer}; empty if this is something else. */
     private static String deferred(String text) {
         Matcher defer = DEFER.matcher(text);
@@ -63,9 +76,9 @@ final class Behaviors {
         return defer.matches() ? defer.group(1) : isDeferred.matches() ? isDeferred.group(1) : "";
     }
 
-    private void internal(TextState state, Label label, int line, int column) throws Label.Meaningless {
+    private void internal(TextState state, Label label, int line, int column) throws Refusal {
         if (label.triggers().isEmpty()) {
-            throw new Label.Meaningless(column, "an internal transition needs an event; write EVENT [guard] / effect");
+            throw new Refusal(column, "an internal transition needs an event; write EVENT [guard] / effect");
         }
         state.internal.add(new Arc(
                 new Place("", line),

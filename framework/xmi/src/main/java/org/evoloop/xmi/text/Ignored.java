@@ -93,10 +93,6 @@ final class Ignored {
 
     private boolean plantUml(Cursor line) {
         if (line.isAt("/'")) {
-            if (line.comesLater("'/")) {
-                line.upTo("'/");
-                return true;
-            }
             return begin(line, "the comment /'", "'/");
         }
         if (line.isAt("'") || HARMLESS.matcher(line.ahead()).matches()) {

@@ -16,24 +16,11 @@ record Label(List<String> triggers, List<String> guards, List<String> effects, b
 
     private static final List<String> LOCALS = List.of(LOCAL, "<<local>>", "{local}");
 
-    /** A label that has no meaning, with the column of the reason, counted from 1. */
-    static final class Meaningless extends Exception {
-        private static final long serialVersionUID = 1L;
-
-        final int column;
-
-        Meaningless(int column, String message) {
-            super(message, null, false, false);
-            this.column = column;
-        }
-
-        String text() {
-            return String.valueOf(getMessage());
-        }
-    }
-
-    /** @param column of the text's first letter */
-    static Label parse(String text, int column, Syntax syntax) throws Meaningless {
+    /**
+     * @param column of the text's first letter
+     * @throws Refusal if it has no meaning
+     */
+    static Label parse(String text, int column, Syntax syntax) throws Refusal {
         String label = text.stripTrailing();
         String whole = label;
         String ending = LOCALS.stream().filter(whole::endsWith).findFirst().orElse("");
@@ -45,7 +32,7 @@ record Label(List<String> triggers, List<String> guards, List<String> effects, b
         while (end > 0 && Marks.closesAt(head, end - 1, syntax)) {
             int open = Marks.opening(head, end - 1, syntax);
             if (open < 0) {
-                throw new Meaningless(column + end - 1, "']' has no '[' before it; write [guard]");
+                throw new Refusal(column + end - 1, "']' has no '[' before it; write [guard]");
             }
             String guard = Condition.guard(Escapes.decode(head.substring(open + 1, end - 1), syntax));
             if (!guard.isEmpty()) {
@@ -55,7 +42,7 @@ record Label(List<String> triggers, List<String> guards, List<String> effects, b
         }
         int stray = Marks.bracket(head.substring(0, end), syntax);
         if (stray >= 0) {
-            throw new Meaningless(
+            throw new Refusal(
                     column + stray,
                     "'" + head.charAt(stray) + "' belongs to no guard, which stands between the event and '/'; write"
                             + " event [guard] / effect, or \\" + head.charAt(stray) + " for the letter");
@@ -65,6 +52,21 @@ record Label(List<String> triggers, List<String> guards, List<String> effects, b
                 guards,
                 slash < 0 ? List.of() : Marks.split(label.substring(slash + 1), ",;", syntax),
                 !ending.isEmpty());
+    }
+
+    /**
+     * The slash that begins the effects, as in {@code and/or}, where it could be a letter: it has no blanks around it, and
+     * no guard before it.
+     *
+     * @return its index, or -1
+     */
+    static int doubtfulSlash(String text, Syntax syntax) {
+        int slash = Marks.slash(text, syntax);
+        boolean clear = slash <= 0
+                || text.charAt(slash - 1) == ']'
+                || text.substring(slash + 1).isBlank()
+                || (Character.isWhitespace(text.charAt(slash - 1)) && Character.isWhitespace(text.charAt(slash + 1)));
+        return clear ? -1 : slash;
     }
 
     /** Whether each bracket is closed. */

@@ -24,7 +24,7 @@ final class Scope {
     /** @param owner null for the diagram's own regions */
     Scope(@Nullable TextState owner, int number, int line) {
         this.owner = owner;
-        this.path = (owner == null ? "" : owner.id()) + "/" + number;
+        this.path = path(owner == null ? "" : owner.id(), number);
         this.line = line;
     }
 
@@ -62,6 +62,15 @@ final class Scope {
         return key;
     }
 
+    private static String path(String state, int number) {
+        return state + "/" + number;
+    }
+
+    /** The key of the history of a state's region. */
+    static String history(boolean deep, String state, int number) {
+        return (deep ? "[H*] of " : "[H] of ") + path(state, number);
+    }
+
     /** The key of its history, which is drawn in this line. */
     String history(boolean deep, int at) {
         String key = (deep ? "[H*] of " : "[H] of ") + path;
@@ -75,6 +84,19 @@ final class Scope {
     /** The vertices that have no id. */
     List<Vertex> pseudostates() {
         return pseudostates;
+    }
+
+    /** Whether it, or a region around it, is one of several of a state. */
+    boolean isBesideOthers() {
+        Scope around = this;
+        while (around != null) {
+            TextState state = around.owner;
+            if (state != null && state.regions.size() > 1) {
+                return true;
+            }
+            around = state == null ? null : state.home();
+        }
+        return false;
     }
 
     /** Whether the other region is this one, or inside it at any depth. */

@@ -7,6 +7,7 @@ import java.util.regex.Pattern;
 import org.evoloop.statechart.Statechart;
 import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.xmi.dialect.Problems;
+import org.evoloop.xmi.text.TextState.Naming;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -34,6 +35,13 @@ final class Statements {
     /** Nobody writes longer ones, and reading them may take time quadratic in their length. */
     private static final int LONGEST_LINE = 4_000;
 
+    /** What PlantUML takes out of a line before it reads it. */
+    private static final Pattern COMMENT = Pattern.compile("/'.*?'/");
+    /** A colon and more that PlantUML takes for a part of the id before it, at the begin of an arrow. */
+    private static final Pattern COLON_OF_SOURCE = Pattern.compile(":[\\p{L}\\p{N}_.:]*+(?=\\s*+(?:x?-+[^-]*>|o?<-))");
+    /** The same at its end, where only a colon that a blank or a sign follows begins the label. */
+    private static final Pattern COLON_OF_TARGET =
+            Pattern.compile(":[\\p{L}\\p{N}_.]*+(?::[\\p{L}\\p{N}_.:]*+|(?=\\s*+(?:$|[#:]|<<|\\[\\[)))");
     /** A line break in a label. */
     private static final Pattern BREAK = Pattern.compile("(?i)<br\\s*/?>|\\\\n");
 
@@ -43,15 +51,6 @@ final class Statements {
     private final TextTree tree;
     private final Ignored ignored;
     private final Behaviors behaviors;
-
-    /** A line that cannot be understood. */
-    private static final class Refusal extends Exception {
-        private static final long serialVersionUID = 1L;
-
-        Refusal(int column, String message) {
-            super("column " + column + ": " + message, null, false, false);
-        }
-    }
 
     Statements(TextBlock block, Problems problems) {
         this.block = block;
@@ -70,7 +69,7 @@ final class Statements {
                 problems.add(number, "the line has " + text.length() + " letters; write shorter ones");
                 continue;
             }
-            Cursor line = new Cursor(text, number);
+            Cursor line = new Cursor(syntax == Syntax.PLANTUML ? blank(COMMENT, text) : text, number);
             try {
                 while (line.hasMore()) {
                     if (!ignored.takes(line)) {
@@ -78,7 +77,7 @@ final class Statements {
                     }
                 }
             } catch (Refusal refusal) {
-                problems.add(number, String.valueOf(refusal.getMessage()));
+                problems.add(number, refusal.text());
             }
         }
         ignored.finish();
@@ -116,6 +115,12 @@ final class Statements {
     }
 
     private Refusal notUnderstood(Cursor line) {
+        if (syntax == Syntax.PLANTUML && line.isAt("!")) {
+            return new Refusal(
+                    line.column(),
+                    Problems.quote(line.ahead().strip())
+                            + " is for PlantUML's preprocessor, which is not run here; write" + " what it makes of it");
+        }
         return new Refusal(
                 line.column(),
                 Problems.quote(line.ahead().strip()) + " is no statement of a state diagram in " + syntax
@@ -133,7 +138,7 @@ final class Statements {
         line.hasMore();
         int at = line.column();
         String id = quotedOnly ? shown : id(line);
-        TextState state = tree.state(id, line.line(), at);
+        TextState state = tree.state(id, line.line(), at, Naming.DECLARED);
         if (!shown.isEmpty()) {
             shown(state, shown, line.line(), column);
         }
@@ -175,7 +180,7 @@ final class Statements {
         for (String part : BREAK.split(text, -1)) {
             behavior |= !name.isEmpty() && part.indexOf('/') >= 0;
             if (behavior) {
-                behavior(state, part, line, column);
+                behaviors.read(state, part, line, column);
             } else {
                 name.append(name.isEmpty() ? "" : " ").append(part.strip());
             }
@@ -223,31 +228,23 @@ final class Statements {
 
     private void transitionOrText(Cursor line) throws Refusal {
         int column = line.column();
-        @Nullable TextState state = line.isAt("[") ? null : tree.state(id(line), line.line(), column);
-        boolean ofHistory = state != null && line.isAt("[H");
-        if (state != null && !ofHistory) {
+        String id = line.isAt("[") ? "" : id(line);
+        if (!id.isEmpty() && !line.isAt("[H")) {
+            refuseColon(line, COLON_OF_SOURCE);
             style(line);
             if (!line.hasMore() || line.isAt("}")) {
+                tree.state(id, line.line(), column, Naming.LINKED);
                 return;
             }
             if (line.take(":")) {
-                text(state, line);
+                text(tree.state(id, line.line(), column, Naming.DESCRIBED), line);
                 return;
             }
         }
-        int arrowAt;
-        String source;
-        if (state == null || ofHistory) {
-            int end = line.column();
-            source = line.isAt("[*]") && state == null ? "" : history(state, line, end);
-            line.take("[*]");
-            line.hasMore();
-            arrowAt = line.column();
-        } else {
-            source = state.id();
-            arrowAt = line.column();
-        }
-        Arrow arrow = arrow(line, arrowAt);
+        line.backTo(column);
+        String source = end(line);
+        style(line);
+        Arrow arrow = Arrow.read(line, syntax);
         line.hasMore();
         String target = end(line);
         style(line);
@@ -281,7 +278,8 @@ final class Statements {
         if (line.isAt("[")) {
             return history(null, line, column);
         }
-        TextState state = tree.state(id(line), line.line(), column);
+        TextState state = tree.state(id(line), line.line(), column, Naming.LINKED);
+        refuseColon(line, COLON_OF_TARGET);
         return line.isAt("[H") ? history(state, line, line.column()) : state.id();
     }
 
@@ -313,6 +311,18 @@ final class Statements {
                 line.upTo(">>");
             } else {
                 return;
+            }
+        }
+    }
+
+    private void refuseColon(Cursor line, Pattern inId) throws Refusal {
+        if (syntax == Syntax.PLANTUML && line.isAt(":")) {
+            Matcher colon = inId.matcher(line.ahead());
+            if (colon.lookingAt()) {
+                throw new Refusal(
+                        line.column(),
+                        "PlantUML takes " + Problems.quote(colon.group())
+                                + " for a part of the id; write a blank before" + " the colon of a label");
             }
         }
     }
@@ -358,60 +368,21 @@ final class Statements {
         return id;
     }
 
-    /** With a direction and a style, which are for the layout. */
-    private static final Pattern PLANTUML_ARROW =
-            Pattern.compile("<?-+(?:\\[[^\\]]*+\\])?(?:left|right|up|down|le|ri|do|[lrud])?(?:\\[[^\\]]*+\\])?-*>?");
-
-    private enum Arrow {
-        THERE,
-        BACK,
-        /** Only for the layout. */
-        HIDDEN
-    }
-
-    private Arrow arrow(Cursor line, int column) throws Refusal {
-        if (syntax == Syntax.MERMAID) {
-            if (!line.take("-->")) {
-                throw line.isAt("->")
-                        ? new Refusal(column, "Mermaid's arrow is -->, and this is ->; write A --> B")
-                        : new Refusal(
-                                column,
-                                Problems.quote(line.ahead().strip())
-                                        + " is no arrow; write A --> B, or A : text for a description");
-            }
-            return Arrow.THERE;
-        }
-        Matcher arrow = PLANTUML_ARROW.matcher(line.ahead());
-        if (!arrow.lookingAt() || arrow.group().startsWith("<") == arrow.group().endsWith(">")) {
-            throw new Refusal(
-                    column,
-                    Problems.quote(line.ahead().strip())
-                            + " is no arrow; write A --> B, or A : text for a description");
-        }
-        line.take(arrow.group());
-        return arrow.group().contains("hidden")
-                ? Arrow.HIDDEN
-                : arrow.group().startsWith("<") ? Arrow.BACK : Arrow.THERE;
-    }
-
     private Label label(Cursor line) throws Refusal {
         line.hasMore();
         int column = line.column();
-        String label = flat(line.rest());
-        if (syntax == Syntax.PLANTUML && label.contains("[[")) {
-            throw new Refusal(column + label.indexOf("[["), "a link in a label hides its text; write the text alone");
-        }
-        refuseSemicolon(label, column);
-        try {
-            return Label.parse(label, column, syntax);
-        } catch (Label.Meaningless meaningless) {
-            throw new Refusal(meaningless.column, meaningless.text());
-        }
+        String label = blank(BREAK, line.rest());
+        refuseMarks(label, column);
+        behaviors.noteSlash(label, line.line(), column);
+        return Label.parse(label, column, syntax);
     }
 
-    /** Mermaid ends a statement there, and reads the rest as states. */
-    private void refuseSemicolon(String text, int column) throws Refusal {
-        if (syntax != Syntax.MERMAID || text.indexOf(';') < 0) {
+    /** Refuses what is no part of the text: a link in PlantUML, and the end of a statement in Mermaid. */
+    private void refuseMarks(String text, int column) throws Refusal {
+        if (syntax == Syntax.PLANTUML && text.contains("[[")) {
+            throw new Refusal(column + text.indexOf("[["), "a link hides the text; write the text alone");
+        }
+        if (syntax == Syntax.PLANTUML || text.indexOf(';') < 0) {
             return;
         }
         int length;
@@ -420,17 +391,17 @@ final class Statements {
             if (text.charAt(i) == ';') {
                 throw new Refusal(
                         column + i,
-                        "';' ends a statement in Mermaid, and what follows would be states; write a comma between"
-                                + " effects, or #59; for the letter");
+                        "';' ends a statement in Mermaid, and what follows would be states; remove it at the end of a"
+                                + " line, write a comma between effects, or #59; for the letter");
             }
         }
     }
 
-    /** The text with a blank for each line break, so that columns stay the same. */
-    private static String flat(String text) {
-        return text.indexOf('<') < 0 && text.indexOf('\\') < 0
+    /** The text with blanks for what is found, so that columns stay the same. */
+    private static String blank(Pattern what, String text) {
+        return text.indexOf('<') < 0 && text.indexOf('\\') < 0 && text.indexOf('\'') < 0
                 ? text
-                : BREAK.matcher(text)
+                : what.matcher(text)
                         .replaceAll(found -> " ".repeat(found.group().length()));
     }
 
@@ -439,21 +410,13 @@ final class Statements {
         line.hasMore();
         int column = line.column();
         String text = line.rest();
-        refuseSemicolon(text, column);
+        refuseMarks(text, column);
         int from = 0;
         Matcher breaks = BREAK.matcher(text);
         while (breaks.find()) {
-            behavior(state, text.substring(from, breaks.start()), line.line(), column + from);
+            behaviors.read(state, text.substring(from, breaks.start()), line.line(), column + from);
             from = breaks.end();
         }
-        behavior(state, text.substring(from), line.line(), column + from);
-    }
-
-    private void behavior(TextState state, String text, int line, int column) throws Refusal {
-        try {
-            behaviors.read(state, text, line, column);
-        } catch (Label.Meaningless meaningless) {
-            throw new Refusal(meaningless.column, meaningless.text());
-        }
+        behaviors.read(state, text.substring(from), line.line(), column + from);
     }
 }

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.evoloop.statemachine.ModelException;
+import org.evoloop.xmi.dialect.Problems;
 
 /** Splits a text into its state diagrams. */
 final class TextFile {
@@ -194,6 +195,9 @@ final class TextFile {
         } else if (!head.group(1).startsWith("stateDiagram")) {
             String word = head.group(1).replaceFirst("-.*", "").toLowerCase(Locale.ROOT);
             others.add(KINDS.getOrDefault(word, "a Mermaid diagram of kind " + head.group(1)) + line(at));
+        } else if (!head.group(2).matches("(%%.*)?")) {
+            throw new ModelException(file + ": " + Problems.quote(head.group(2).strip()) + " is behind " + head.group(1)
+                    + line(at) + ": write it in the next line");
         } else {
             add(Syntax.MERMAID, title, at, to);
         }

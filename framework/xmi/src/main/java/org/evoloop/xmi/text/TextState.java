@@ -14,13 +14,15 @@ import org.jspecify.annotations.Nullable;
  * Whatever has an id in a diagram: a state, or a choice, fork and the like.
  *
  * <p>An id belongs to one region, and the languages differ in which: in Mermaid to the last region of a state that
- * mentions it, in PlantUML to the first region that does.
+ * names it, in PlantUML to the first one that declares it, or to the first that names it if none declares it.
  */
 final class TextState {
     private final String id;
     private final int line;
     private final Map<Scope, Mention> mentions = new LinkedHashMap<>();
     private @Nullable Scope home;
+    /** The first region that declares or describes it. */
+    private @Nullable Scope described;
 
     private String name;
     /** Null for a state. */
@@ -37,7 +39,21 @@ final class TextState {
     final List<String> deferred = new ArrayList<>();
     final List<Arc> internal = new ArrayList<>();
 
-    private record Mention(int line, int column) {}
+    /** How a line names it, the weakest first. */
+    enum Naming {
+        /** At the end of an arrow. */
+        LINKED,
+        /** {@code id : text}. */
+        DESCRIBED,
+        /** {@code state id}. */
+        DECLARED
+    }
+
+    private record Mention(int line, int column, Naming naming) {
+        Mention and(Mention later) {
+            return new Mention(line, column, naming.compareTo(later.naming) < 0 ? later.naming : naming);
+        }
+    }
 
     TextState(String id, int line) {
         this.id = id;
@@ -99,10 +115,15 @@ final class TextState {
         return home;
     }
 
-    void mention(Scope scope, int at, int column, Syntax syntax) {
-        mentions.putIfAbsent(scope, new Mention(at, column));
-        if (home == null || (syntax == Syntax.MERMAID && scope.owner() != null)) {
+    void mention(Scope scope, int at, int column, Naming naming, Syntax syntax) {
+        boolean declared = mentions.values().stream().anyMatch(mention -> mention.naming() == Naming.DECLARED);
+        boolean moves = syntax == Syntax.MERMAID ? scope.owner() != null : naming == Naming.DECLARED && !declared;
+        mentions.merge(scope, new Mention(at, column, naming), Mention::and);
+        if (home == null || moves) {
             home = scope;
+        }
+        if (described == null && naming != Naming.LINKED) {
+            described = scope;
         }
     }
 
@@ -119,15 +140,30 @@ final class TextState {
         return outer != null;
     }
 
-    /** Reports a mention in a region that is beside its own. */
-    void check(Problems problems) {
+    /** Reports a mention in a region that is beside its own, and a region that is uncertain. */
+    void check(Syntax syntax, Problems problems) {
         Scope own = home;
         if (own == null || mentions.size() == 1) {
             return;
         }
+        Mention first = mentions.get(own);
+        Scope other = described;
+        Mention text = mentions.get(other);
+        if (syntax == Syntax.PLANTUML && other != null && other != own && text != null && first != null) {
+            problems.add(
+                    text.line(),
+                    "column " + text.column() + ": '" + id + "' is described in " + where(other)
+                            + " here, and belongs to "
+                            + where(own) + " by line " + first.line()
+                            + "; versions of PlantUML draw it in the one or the"
+                            + " other, so write both in one place");
+            return;
+        }
         mentions.forEach((scope, mention) -> {
-            Mention first = mentions.get(own);
-            if (first != null && !scope.encloses(own) && !own.encloses(scope)) {
+            if (first != null
+                    && !scope.encloses(own)
+                    && !own.encloses(scope)
+                    && !(syntax == Syntax.PLANTUML && isOnlyLinked(scope, mention, own, first))) {
                 problems.add(
                         mention.line(),
                         "column " + mention.column() + ": '" + id + "' is named in " + where(scope) + " here, and in "
@@ -135,6 +171,14 @@ final class TextState {
                                 + " them, or write the transition outside of both");
             }
         });
+    }
+
+    /** Whether an arrow in one state ends at this one, which is declared in another; PlantUML refuses that in regions. */
+    private static boolean isOnlyLinked(Scope scope, Mention mention, Scope own, Mention first) {
+        return first.naming() == Naming.DECLARED
+                && mention.naming() == Naming.LINKED
+                && !scope.isBesideOthers()
+                && !own.isBesideOthers();
     }
 
     private static String where(Scope scope) {

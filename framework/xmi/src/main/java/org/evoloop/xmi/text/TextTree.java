@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.regex.Pattern;
 import org.evoloop.statechart.Arc;
 import org.evoloop.statechart.Place;
 import org.evoloop.statechart.Region;
@@ -30,6 +31,9 @@ final class TextTree {
     static final int MAX_DEPTH = 300;
     private static final int MAX_ELEMENTS = 500_000;
 
+    private static final Pattern KEYWORD = Pattern.compile("^(?:«[^»]*+»|<<[^>]*+>>)\\s*+");
+    private static final Pattern TIME = Pattern.compile("(?i)(?:after|at|every|when)\\b");
+
     private final String file;
     private final Syntax syntax;
     private final Problems problems;
@@ -42,6 +46,10 @@ final class TextTree {
 
     private final Deque<Integer> openedAt = new ArrayDeque<>();
     private final Map<Scope, List<TextState>> contents = new HashMap<>();
+    /** Those that are named outside of their regions. */
+    private final List<History> histories = new ArrayList<>();
+
+    private record History(TextState state, boolean deep, int line, int column) {}
 
     /** @param line of its first one */
     TextTree(String file, Syntax syntax, int line, Problems problems) {
@@ -58,14 +66,14 @@ final class TextTree {
     }
 
     /** The state with this id, which this line names in the current region. */
-    TextState state(String id, int line, int column) {
+    TextState state(String id, int line, int column, TextState.Naming naming) {
         TextState state = states.get(id);
         if (state == null) {
             state = new TextState(id, line);
             states.put(id, state);
             requireRoom(line);
         }
-        state.mention(scope(), line, column, syntax);
+        state.mention(scope(), line, column, naming, syntax);
         return state;
     }
 
@@ -112,18 +120,24 @@ final class TextTree {
         open.push(next);
     }
 
-    /** The key of the history of the state's region. */
+    /** The key of the history of the state's region, which may come in a later line. */
     String history(TextState state, boolean deep, int line, int column) {
-        if (state.regions.size() != 1) {
-            problems.add(
-                    line,
-                    "column " + column + ": state '" + state.id() + "' has "
-                            + (state.regions.isEmpty() ? "no region" : state.regions.size() + " regions")
-                            + " before this line, and a history belongs to one; write "
-                            + (deep ? "[H*]" : "[H]") + " in it, behind its contents");
-            return state.id();
+        histories.add(new History(state, deep, line, column));
+        return Scope.history(deep, state.id(), 1);
+    }
+
+    private void draw(History history) {
+        TextState state = history.state();
+        if (state.regions.size() == 1) {
+            state.regions.get(0).history(history.deep(), history.line());
+            return;
         }
-        return state.regions.get(0).history(deep, line);
+        problems.add(
+                history.line(),
+                "column " + history.column() + ": state '" + state.id() + "' has "
+                        + (state.regions.isEmpty() ? "no region" : state.regions.size() + " regions")
+                        + ", and a history belongs to one; write " + (history.deep() ? "[H*]" : "[H]")
+                        + " in the region itself");
     }
 
     /** Adds a transition. Of several guards, each after the first has a junction before it. */
@@ -152,6 +166,7 @@ final class TextTree {
                     "column " + openedAt.element() + ": state '" + scope().label()
                             + "' is not closed; write } behind its contents");
         }
+        histories.forEach(this::draw);
         for (TextState state : states.values()) {
             if (state.isInItself()) {
                 problems.add(
@@ -162,7 +177,7 @@ final class TextTree {
             }
         }
         for (TextState state : states.values()) {
-            state.check(problems);
+            state.check(syntax, problems);
             Scope home = state.home();
             if (home != null) {
                 contents.computeIfAbsent(home, any -> new ArrayList<>()).add(state);
@@ -201,7 +216,19 @@ final class TextTree {
                             + " for what is done");
             return unlabelled(arc, arc.guard());
         }
+        if (arc.triggers().size() > 1 && arc.triggers().stream().anyMatch(TextTree::isProse)) {
+            problems.note(
+                    arc.place(),
+                    Problems.quote(text) + " names " + arc.triggers().size()
+                            + " events; write \\, for a comma in the name of one");
+        }
         return arc;
+    }
+
+    /** Whether the event is called by several words. */
+    private static boolean isProse(String trigger) {
+        String event = KEYWORD.matcher(trigger).replaceFirst("");
+        return event.indexOf(' ') > 0 && !TIME.matcher(event).lookingAt();
     }
 
     private static Arc unlabelled(Arc arc, String guard) {

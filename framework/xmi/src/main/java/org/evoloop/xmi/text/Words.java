@@ -99,7 +99,7 @@ final class Words {
     private static boolean isAlone(String label, List<String> triggers, List<String> guards, List<String> effects) {
         try {
             return Label.parse(label, 1, Syntax.MERMAID).equals(new Label(triggers, guards, effects, false));
-        } catch (Label.Meaningless needsEscapes) {
+        } catch (Refusal needsEscapes) {
             return false;
         }
     }

@@ -12,7 +12,7 @@ import java.util.List;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.evoloop.xmi.astah.AstahDocument.Machine;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -328,7 +328,7 @@ class AstahChartTest {
         AstahDocument document = new AstahDocument();
         List.of(machines).forEach(document::add);
         byte[] bytes = document.text().getBytes(StandardCharsets.UTF_8);
-        return XmiFile.read("F.xml", new ByteArrayInputStream(bytes))
+        return ModelFile.read("F.xml", new ByteArrayInputStream(bytes))
                 .machines()
                 .get(0)
                 .toStateMachine();

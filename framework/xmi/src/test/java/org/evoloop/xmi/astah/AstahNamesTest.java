@@ -14,7 +14,7 @@ import java.util.Random;
 import java.util.Set;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.StateMachineBuilder;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.evoloop.xmi.XmiMachine;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -134,7 +134,7 @@ class AstahNamesTest {
     }
 
     private static List<XmiMachine> read(String document) {
-        return XmiFile.read("F.xml", new ByteArrayInputStream(document.getBytes(StandardCharsets.UTF_8)))
+        return ModelFile.read("F.xml", new ByteArrayInputStream(document.getBytes(StandardCharsets.UTF_8)))
                 .machines();
     }
 }

@@ -10,7 +10,7 @@ import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.evoloop.statemachine.ModelException;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.evoloop.xmi.XmiMachine;
 import org.evoloop.xmi.astah.AstahDocument.Machine;
 import org.junit.jupiter.api.Test;
@@ -346,7 +346,7 @@ class AstahRefusalTest {
     }
 
     private static List<XmiMachine> machines(String document) {
-        return XmiFile.read("F.xml", new ByteArrayInputStream(document.getBytes(StandardCharsets.UTF_8)))
+        return ModelFile.read("F.xml", new ByteArrayInputStream(document.getBytes(StandardCharsets.UTF_8)))
                 .machines();
     }
 }

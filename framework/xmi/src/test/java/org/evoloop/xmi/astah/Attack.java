@@ -4,7 +4,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.function.LongFunction;
 import org.evoloop.statemachine.ModelException;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 
 /** A document of 1 GiB that is generated while it is read: a beginning, then one unit after another. */
 final class Attack extends InputStream {
@@ -29,7 +29,7 @@ final class Attack extends InputStream {
     /** The reader's error for {@code beginning} followed by units 0, 1, 2 and so on. */
     static String answer(String beginning, LongFunction<String> units) {
         try {
-            return XmiFile.read("F.xml", new Attack(beginning, units))
+            return ModelFile.read("F.xml", new Attack(beginning, units))
                             .machines()
                             .size() + " machines";
         } catch (ModelException refused) {

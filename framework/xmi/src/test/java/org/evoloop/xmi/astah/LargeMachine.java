@@ -9,7 +9,7 @@ import java.util.Iterator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.evoloop.statemachine.StateMachine;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 
 /**
  * A ring of states, each with ten transitions, and its diagram, which is four times as large; generated while it is
@@ -39,7 +39,7 @@ final class LargeMachine {
                         IntStream.range(0, transitions).mapToObj(LargeMachine::presentation),
                         Stream.of("</JUDE:StateChartDiagram>\n", parts[3]))
                 .flatMap(part -> part);
-        return XmiFile.read("F.xml", new SequenceInputStream(streams(document.iterator())))
+        return ModelFile.read("F.xml", new SequenceInputStream(streams(document.iterator())))
                 .only();
     }
 

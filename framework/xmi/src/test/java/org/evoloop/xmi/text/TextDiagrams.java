@@ -5,14 +5,14 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.xmi.ChartText;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 
 /** Diagrams in texts. */
 final class TextDiagrams {
     private TextDiagrams() {}
 
-    static XmiFile file(String name, String text) {
-        return XmiFile.read(name, new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
+    static ModelFile file(String name, String text) {
+        return ModelFile.read(name, new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
     }
 
     /** The chart of a Mermaid diagram with these lines. */

@@ -8,7 +8,7 @@ import static org.evoloop.xmi.text.TextDiagrams.plantUml;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.evoloop.statemachine.StateMachine;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.evoloop.xmi.XmiMachine;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -24,7 +24,8 @@ class TextReadingTest {
             delimiter = '|',
             value = {
                 "A --> B : go | go",
-                "A-->B:go | go",
+                "A-->B: go | go",
+                "A-->B:go now | go now",
                 "A --> B : go, come [x > 1] / f(a, b), g | go, come [x > 1] / f(a, b); g",
                 "A --> B : go<br>[x]<br/>/ f | go [x] / f",
                 "A --> B : go\\n/ f | go / f",
@@ -279,11 +280,54 @@ class TextReadingTest {
     void anIdBelongsWhereItsLanguageDrawsIt() {
         assertThat(mermaid("A --> X", "state S {", "X --> Y", "}")).contains("  state X X");
         assertThat(plantUml("A --> X", "state S {", "X --> Y", "}")).contains("state X X", "  state Y Y");
+        assertThat(plantUml("A --> X", "state S {", "state X", "}")).contains("  state X X");
+        assertThat(plantUml("state S {", "A --> X", "}", "state X {", "Y --> Z", "}"))
+                .contains("  state A A", "state X X", "  state Y Y");
+    }
+
+    @Test
+    void inPlantUmlAnArrowMayLeadToAStateThatAnotherOneDeclares() {
+        assertThat(plantUml("state S {", "state X", "}", "state T {", "A --> X : go", "}"))
+                .contains("state S S", "  state X X", "state T T", "  state A A", "A -> X : go");
+    }
+
+    @Test
+    void aHistoryMayBeNamedBeforeItsState() {
+        assertThat(plantUml("[*] --> A", "A --> S[H] : go", "state S {", "[*] --> X", "}"))
+                .contains("  SHALLOW_HISTORY [H] of S/1", "A -> [H] of S/1 : go");
+    }
+
+    @Test
+    void commentsAndEndsOfArrowsAreTakenOut() {
+        assertThat(plantUml("[*] --> A /' here '/", "A x->o B : go /' and there '/", "o --> x", "B <-x A : back"))
+                .contains(START, "A -> B : go", "o -> x", "A -> B : back");
+    }
+
+    @Test
+    void proseThatCouldMeanSomethingElseIsNoted() {
+        XmiMachine machine = file("F.mmd", """
+                        stateDiagram-v2
+                        [*] --> A
+                        A --> B : POST /users
+                        B --> A : ready, the lock is held
+                        A --> B : go [x]/f
+                        A --> B : key, other / f
+                        B --> A : after 2 s, key
+                        B : read/write
+                        """).findOnly();
+
+        assertThat(machine.notes())
+                .containsExactly(
+                        "F.mmd: line 3: column 16: 'users' behind '/' is what is done; write blanks around the '/' if it is,"
+                                + " or \\/ for the letter",
+                        "F.mmd: line 4: 'ready, the lock is held' names 2 events; write \\, for a comma in the name of one",
+                        "F.mmd: line 8: column 9: 'write' behind '/' is what is done; write blanks around the '/' if it is,"
+                                + " or \\/ for the letter");
     }
 
     @Test
     void aMarkdownFileHoldsAMachineInEachBlock() {
-        XmiFile file = file(
+        ModelFile file = file(
                 "README.md",
                 "# Lamp\n\n## The `original`\n\n```mermaid\nstateDiagram-v2\n[*] --> A\n```\n\n```mermaid\n---\n"
                         + "title: \"new\"\n---\nstateDiagram\n[*] --> B\n```\n\n~~~plantuml\ntitle third\n[*] --> C\n~~~\n\n"
@@ -322,7 +366,7 @@ class TextReadingTest {
     void aTextOfTwoBytesALetterIsRead() {
         byte[] bytes = "stateDiagram-v2\n[*] --> 点灯\n".getBytes(StandardCharsets.UTF_16);
 
-        assertThat(XmiFile.read("lamp.mmd", new java.io.ByteArrayInputStream(bytes))
+        assertThat(ModelFile.read("lamp.mmd", new java.io.ByteArrayInputStream(bytes))
                         .only()
                         .initial())
                 .hasToString("点灯");

@@ -8,7 +8,7 @@ import static org.evoloop.xmi.text.TextDiagrams.refusal;
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import org.evoloop.statemachine.ModelException;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -60,12 +60,16 @@ class TextRefusalTest {
             quoteCharacter = '~',
             value = {
                 "A.B --> C | column 2: PlantUML reads '.' in an id as a state inside 'A'",
-                "A x-> B | column 3: 'x-> B' is no arrow",
+                "A o-> B | column 3: 'o-> B' is no arrow",
+                "A --> B:go | column 8: PlantUML takes ':go' for a part of the id; write a blank before the colon",
+                "A --> B:at:noon sharp | column 8: PlantUML takes ':at:noon' for a part of the id",
+                "A:go --> B | column 2: PlantUML takes ':go' for a part of the id",
+                "!define X y | column 1: '!define X y' is for PlantUML's preprocessor, which is not run here",
                 "A -- B | column 3: '-- B' is no arrow",
-                "!include other.puml | column 1: '!include other.puml' is no statement",
+                "!include other.puml | column 1: '!include other.puml' is for PlantUML's preprocessor",
                 "state x <<inputPin>> | column 9: <<inputPin>> has no meaning",
-                "A --> B : [[http://x text]] | column 11: a link in a label hides its text",
-                "A --> B[H] | column 8: state 'B' has no region before this line",
+                "A --> B : [[http://x text]] | column 11: a link hides the text",
+                "A --> B[H] | column 8: state 'B' has no region, and a history belongs to one",
                 "state c <<choice>>\\nc : entry / f | 'c' is a choice, in which nothing happens",
                 "/' comment | column 1: the comment /' has no end",
                 "skinparam state { | column 1: skinparam has no end",
@@ -94,6 +98,18 @@ class TextRefusalTest {
                 "F.mmd",
                 "stateDiagram-v2\nstate S {\nA --> B\n--\nC --> B : e\n}\n",
                 "'B' is named in region 1 of S here, and in region 2 of S in line 5");
+        assertRefused(
+                "F.puml",
+                "@startuml\nstate S {\nstate A\n--\nB --> C\n}\nstate T {\nD --> A\n}\n@enduml\n",
+                "line 8: column 7: 'A' is named in T here, and in region 1 of S in line 3");
+    }
+
+    @Test
+    void aPlaceThatVersionsOfPlantUmlUnderstandDifferentlyIsRefused() {
+        assertRefused(
+                "F.puml",
+                "@startuml\nstate S {\nA --> B\n}\nB : waits\n@enduml\n",
+                "line 5: column 1: 'B' is described in the diagram itself here, and belongs to S by line 3");
     }
 
     @Test
@@ -123,6 +139,7 @@ class TextRefusalTest {
                 "a.md | # Only text | holds no state diagram: write one in a block ```mermaid",
                 "a.md | ```mermaid\\nflowchart LR\\n``` | holds no state diagram, but a flowchart (line 2)",
                 "a.md | ```mermaid\\nstateDiagram-v2\\n | its block is not closed (line 1): write ``` behind",
+                "a.mmd | stateDiagram-v2 A --> B | 'A --> B' is behind stateDiagram-v2 (line 1): write it in the next line",
                 "a.mmd | stateDiagram-v2 | (line 1) has a problem: line 1: the diagram has no state",
             })
     void whatIsNoStateDiagramIsCalledByItsName(String name, String text, String problem) {
@@ -132,7 +149,7 @@ class TextRefusalTest {
     @Test
     void twoMachinesWithOneTitleAreToldApartByTheirLines() {
         String block = "```mermaid\nstateDiagram-v2\n[*] --> A\n```\n";
-        XmiFile file = file("a.md", "# new\n" + block + block);
+        ModelFile file = file("a.md", "# new\n" + block + block);
 
         assertThatThrownBy(() -> file.pick("new"))
                 .isInstanceOf(ModelException.class)
@@ -144,7 +161,7 @@ class TextRefusalTest {
     void bytesThatAreNoTextAreRefused() {
         byte[] bytes = "stateDiagram-v2\n[*] --> \u00e4".getBytes(StandardCharsets.ISO_8859_1);
 
-        assertThatThrownBy(() -> XmiFile.read("a.mmd", new ByteArrayInputStream(bytes)))
+        assertThatThrownBy(() -> ModelFile.read("a.mmd", new ByteArrayInputStream(bytes)))
                 .isInstanceOf(ModelException.class)
                 .hasMessage("a.mmd: contains bytes that are not UTF-8 (line 2): save it in UTF-8");
     }

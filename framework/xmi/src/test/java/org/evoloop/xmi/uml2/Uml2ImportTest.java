@@ -9,7 +9,7 @@ import static org.evoloop.xmi.uml2.Uml2Text.transition;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.evoloop.xmi.XmiMachine;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -37,7 +37,7 @@ class Uml2ImportTest {
 
     private XmiMachine read(String importedText) throws IOException {
         Files.writeString(imported, importedText);
-        return XmiFile.read(main).findOnly();
+        return ModelFile.read(main).findOnly();
     }
 
     @Test

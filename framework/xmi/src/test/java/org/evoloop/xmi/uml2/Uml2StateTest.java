@@ -9,7 +9,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.evoloop.xmi.ChartText;
-import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.ModelFile;
 import org.evoloop.xmi.XmiMachine;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -119,7 +119,7 @@ class Uml2StateTest {
                 machine("<subvertex xmi:type='uml:State' xmi:id='a' name='A'>"
                         + "<submachine xmi:type='uml:StateMachine' href='my%20parts/sub.uml#sub'/></subvertex>"));
 
-        assertThat(ChartText.of(XmiFile.read(file).machines().get(0).statechart()))
+        assertThat(ChartText.of(ModelFile.read(file).machines().get(0).statechart()))
                 .contains("state a A", "  state a/s S");
     }
 

@@ -1,0 +1,25 @@
+/** Device files: how a device and its controller are connected, without Java. */
+module org.evoloop.device {
+    requires static org.jspecify;
+    requires transitive org.evoloop.core;
+    requires org.evoloop.check;
+    requires org.evoloop.config;
+    requires org.evoloop.console;
+    requires org.evoloop.line;
+    requires org.evoloop.mqtt;
+    requires org.evoloop.page;
+    requires org.evoloop.program;
+    requires org.evoloop.service;
+    requires transitive org.evoloop.testkit;
+    requires org.evoloop.xmi;
+    requires org.slf4j;
+    requires org.snakeyaml.engine;
+
+    exports org.evoloop.device;
+    exports org.evoloop.device.file;
+
+    uses org.evoloop.device.ConnectionKind;
+
+    provides org.evoloop.device.ConnectionKind with
+            org.evoloop.device.LineKind;
+}

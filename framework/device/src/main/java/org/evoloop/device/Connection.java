@@ -1,0 +1,95 @@
+package org.evoloop.device;
+
+import org.evoloop.device.file.Node;
+import org.evoloop.device.file.Section;
+import org.evoloop.time.Clock;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A connection of a device file, and what the file says about the device and the controller at its other end. It takes
+ * one part of the file after another, and {@link #assemble} makes components of them.
+ *
+ * <p>What a connection cannot do is a mistake in the file, which is what the methods here report.
+ *
+ * <p>Threading: used by the thread that reads the file.
+ *
+ * @since 0.1
+ */
+public abstract class Connection {
+    private final String name;
+    private final String kind;
+    private volatile boolean assembled;
+
+    /**
+     * @param name in the file
+     * @param kind of {@link ConnectionKind#key}
+     */
+    protected Connection(String name, String kind) {
+        this.name = name;
+        this.kind = kind;
+    }
+
+    /** Its name in the file. */
+    public final String name() {
+        return name;
+    }
+
+    private void refuse(Section rule, String what) {
+        rule.problems().at(rule.node(), "connection " + name + ", of the kind " + kind + ", " + what);
+    }
+
+    /**
+     * Sends {@code event} to the device.
+     *
+     * @param how what the file says
+     */
+    public abstract void send(Node.Text event, Section how);
+
+    /** The key under which a short form, {@code EVENT: TEXT}, is meant; null if there is none. */
+    public @Nullable String shortSend() {
+        return null;
+    }
+
+    /** What tells in which state the device is. */
+    public void state(Section rule) {
+        refuse(rule, "does not tell in which state the device is");
+    }
+
+    /** What tells that the device has done something by itself. */
+    public void does(Section rule) {
+        refuse(rule, "does not tell what the device does");
+    }
+
+    /** What tells that a control of the controller was operated. */
+    public void press(Section rule) {
+        refuse(rule, "has no controls");
+    }
+
+    /** A number or a text that the status shows. */
+    public void reading(Node.Text reading, Section rule) {
+        refuse(rule, "has no readings");
+    }
+
+    /** Whatever in the section {@code device} holds for all that is sent over this connection. */
+    public void device(Section device) {}
+
+    /** Something that a function or an effect does over this connection; it must not change the device's state. */
+    public @Nullable Outward outward(Section action) {
+        refuse(action, "is only for the device's events");
+        return null;
+    }
+
+    /** Whether it is only played: nothing is ever sent over it, since no components have been made. */
+    public final boolean isPlayed() {
+        return !assembled;
+    }
+
+    /** Makes the components; nothing is opened before {@link Parts#open}. */
+    public final Parts assemble(Clock clock) {
+        assembled = true;
+        return make(clock);
+    }
+
+    /** As {@link #assemble}. */
+    protected abstract Parts make(Clock clock);
+}

@@ -1,0 +1,296 @@
+package org.evoloop.device;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.BiConsumer;
+import org.evoloop.check.timing.TimeRules;
+import org.evoloop.converter.Effect;
+import org.evoloop.converter.StateKnowledge;
+import org.evoloop.device.file.DeviceFileException;
+import org.evoloop.device.file.Node;
+import org.evoloop.device.file.Problems;
+import org.evoloop.device.file.Section;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.program.ProgramModels;
+import org.evoloop.statemachine.Event;
+import org.evoloop.testkit.SimulatedDevice;
+import org.evoloop.xmi.ModelReference;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * A converter as a file: its models, how device and controller are connected, and its functions.
+ *
+ * <p>Reading it opens nothing. All mistakes are found at once; names are checked against the models.
+ *
+ * <p>Threading: immutable, but for {@link #connections}, which are assembled once.
+ *
+ * @since 0.1
+ */
+public final class DeviceFile {
+    private static final Logger LOG = LoggerFactory.getLogger(DeviceFile.class);
+
+    private final Path path;
+    private final String name;
+    private final FileModels models;
+    private final ModelPair pair;
+    private final List<ModelReference> references;
+    private final Guards guards;
+    private final Connections connections;
+    private final FileKnowledge.Content knowledge;
+    private final List<Scenario> scenarios;
+    private final List<String> options;
+
+    private DeviceFile(Path path, Reader reader, FileModels models, ModelReader read, Connections connections) {
+        this.path = path;
+        this.name = reader.name;
+        this.models = models;
+        this.pair = read.pair(models);
+        this.references = read.references();
+        this.guards = reader.guards;
+        this.connections = connections;
+        this.knowledge = reader.content;
+        this.scenarios = List.copyOf(reader.scenarios);
+        this.options = List.copyOf(reader.options);
+    }
+
+    /**
+     * Reads a file; its models' paths are relative to its folder.
+     *
+     * @param programOptions the names of the options that every program has, which the file may have, too
+     * @throws DeviceFileException with all mistakes
+     */
+    public static DeviceFile read(Path file, Collection<String> programOptions) {
+        Problems problems = new Problems(file);
+        return read(Section.read(file, problems), problems, programOptions);
+    }
+
+    static DeviceFile read(Section file, Problems problems, Collection<String> programOptions) {
+        ModelReader read = ModelReader.read(file, problems);
+        FileModels models = new FileModels(read.known(), problems);
+        Connections connections = Connections.read(file, models);
+        Reader reader = new Reader(file, models, connections);
+        reader.read(programOptions);
+        models.checkAll(file);
+        problems.throwIfAny();
+        return new DeviceFile(problems.file(), reader, models, read, connections);
+    }
+
+    /** The converter's name. */
+    public String name() {
+        return name;
+    }
+
+    /** The models; without any in the file, both have one state with a loop for each event. */
+    public ModelPair models() {
+        return pair;
+    }
+
+    /** The file that was read. */
+    public Path path() {
+        return path;
+    }
+
+    /** The original and the new model, each as {@code FILE#NAME}; none if the file has no models. */
+    public List<String> references() {
+        return references.stream().map(ModelReference::toString).toList();
+    }
+
+    /** The models as a program's, with the time requirements beside the new one. */
+    ProgramModels programModels() {
+        return references.isEmpty()
+                ? new ProgramModels(pair, TimeRules.NONE, List.of())
+                : ProgramModels.of(references.get(0), references.get(1));
+    }
+
+    /** The guards, to be attached once. */
+    Guards guards() {
+        return guards;
+    }
+
+    /** The events that the device raises by itself. */
+    Set<Event> devicesOwn() {
+        Set<Event> own = new LinkedHashSet<>(pair.original().spontaneous());
+        models.allDevicesOwn().forEach(event -> own.add(new Event(event)));
+        return own;
+    }
+
+    /** The program's options that the file has, each as {@code --NAME=VALUE}. */
+    public List<String> options() {
+        return options;
+    }
+
+    /** The ways to device and controller. */
+    public Collection<Connection> connections() {
+        return connections.all();
+    }
+
+    /** The knowledge of these models, with the file's functions. */
+    public StateKnowledge knowledge(ModelPair of) {
+        return new FileKnowledge(of, knowledge);
+    }
+
+    /** The file's scenarios. */
+    public List<Scenario> scenarios() {
+        return scenarios;
+    }
+
+    /** A device that behaves like the original model, in place of the connections. */
+    public SimulatedDevice simulated() {
+        return SimulatedDevice.of(pair.original())
+                .sends(models.allSent().toArray(String[]::new))
+                .buttons(models.allDevicesOwn().toArray(String[]::new))
+                .answersLocate()
+                .build();
+    }
+
+    /** Reads the sections of a file that use its connections. */
+    private static final class Reader {
+        private final Section file;
+        private final FileModels models;
+        private final Connections connections;
+        private final FunctionReader functionReader;
+        private final Map<String, FileFunction> functions = new LinkedHashMap<>();
+        private final Map<String, Effect.OfEvent> effects = new LinkedHashMap<>();
+        private final Map<String, Integer> costs = new LinkedHashMap<>();
+        private final Set<String> doNotPass = new LinkedHashSet<>();
+        private final List<Scenario> scenarios = new ArrayList<>();
+        private final List<String> options = new ArrayList<>();
+        private final String name;
+        private final Guards guards;
+        private final FileKnowledge.Content content;
+
+        Reader(Section file, FileModels models, Connections connections) {
+            this.file = file;
+            this.models = models;
+            this.connections = connections;
+            this.functionReader = new FunctionReader(models, connections);
+            this.name = file.need("converter").map(Node.Text::value).orElse("");
+            this.guards = Guards.read(file, models);
+            this.content = new FileKnowledge.Content(functions, guards.all(), effects, costs, doNotPass);
+        }
+
+        void read(Collection<String> programOptions) {
+            file.section("device").ifPresent(this::device);
+            file.section("controller").ifPresent(controller -> {
+                rules(controller, "press", Connection::press);
+                controller.done();
+            });
+            file.named("functions").forEach((state, section) -> {
+                models.newState(state);
+                functions.put(state.value(), functionReader.function(state, section));
+            });
+            file.section("effects").ifPresent(all -> all.keys().forEach(text -> effect(all, text)));
+            file.section("scenarios").ifPresent(all -> scenarios.addAll(Scenario.read(all, models)));
+            for (String option : programOptions) {
+                file.text(option).ifPresent(value -> options.add("--" + option + "=" + value));
+            }
+            file.done();
+        }
+
+        private void device(Section device) {
+            device.section("send").ifPresent(this::sends);
+            rules(device, "state", Connection::state);
+            rules(device, "does", Connection::does);
+            device.named("readings").forEach((reading, rule) -> {
+                Connection from = connections.named(rule, "from");
+                if (from != null) {
+                    from.reading(reading, rule);
+                    rule.done();
+                }
+            });
+            device.texts("do-not-pass").forEach(state -> doNotPass.add(models.deviceState(state)));
+            connections.all().forEach(connection -> connection.device(device));
+            if (connections.areKnown()) {
+                device.done();
+            }
+        }
+
+        private void sends(Section send) {
+            for (Node.Text event : send.keys()) {
+                models.sent(event);
+                Node how = send.any(event.value()).orElseThrow();
+                Section section = how instanceof Node.Entries
+                        ? send.section(event.value()).orElseThrow()
+                        : null;
+                Section asked = section == null ? shortForm(send, event, how) : section;
+                Connection to = asked == null ? null : connections.named(asked, "to");
+                if (asked != null && to != null) {
+                    asked.number("cost", 1, org.evoloop.evolution.DeviceEvents.MAX_COST)
+                            .ifPresent(cost -> costs.put(event.value(), cost));
+                    to.send(event, asked);
+                    asked.done();
+                }
+            }
+        }
+
+        /** {@code power: PWR} as {@code power: {line: PWR}}, for the only connection. */
+        private @Nullable Section shortForm(Section send, Node.Text event, Node how) {
+            if (!(how instanceof Node.Text text)) {
+                send.problems().at(how, "how " + event + " is sent is " + how.kind() + "; write a text or a mapping");
+                return null;
+            }
+            Section empty =
+                    new Section("device.send." + event, new Node.Entries(how.line(), Map.of()), send.problems());
+            Connection only = connections.named(empty, "to");
+            String key = only == null ? null : only.shortSend();
+            if (only != null && key == null) {
+                send.problems()
+                        .at(how, "how " + event + " is sent takes a mapping, such as {to: " + only.name() + ", ...}");
+            }
+            return key == null
+                    ? null
+                    : new Section(
+                            "device.send." + event,
+                            new Node.Entries(how.line(), Map.of(new Node.Text(how.line(), key, true), text)),
+                            send.problems());
+        }
+
+        /** A list of rules; for the only connection, a mapping of what it reports to names is enough. */
+        private void rules(Section parent, String key, BiConsumer<Connection, Section> rule) {
+            Optional<Node> found = parent.any(key);
+            if (found.isPresent()
+                    && found.get() instanceof Node.Entries pairs
+                    && !pairs.entries().isEmpty()) {
+                Section all = parent.section(key).orElseThrow();
+                boolean isRule = all.has("values") || all.has("from") || all.has("event");
+                rule(isRule ? all : wrapped(all), rule);
+                return;
+            }
+            parent.listed(key).forEach(each -> rule(each, rule));
+        }
+
+        private Section wrapped(Section pairs) {
+            Node.Text values = new Node.Text(pairs.node().line(), "values", true);
+            return new Section(
+                    pairs.name(), new Node.Entries(values.line(), Map.of(values, pairs.node())), pairs.problems());
+        }
+
+        private void rule(Section section, BiConsumer<Connection, Section> rule) {
+            Connection from = connections.named(section, "from");
+            if (from != null) {
+                rule.accept(from, section);
+                section.done();
+            }
+        }
+
+        private void effect(Section all, Node.Text text) {
+            all.section(text.value()).ifPresent(section -> {
+                models.effect(text);
+                Action.Do action = functionReader.outward(section);
+                section.done();
+                if (action != null) {
+                    effects.put(text.value(), values -> action.perform(values, what -> LOG.info("{}", what)));
+                }
+            });
+        }
+    }
+}

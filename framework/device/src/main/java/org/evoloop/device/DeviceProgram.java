@@ -1,0 +1,151 @@
+package org.evoloop.device;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.evoloop.config.Option;
+import org.evoloop.config.Options;
+import org.evoloop.console.ConsoleCommand;
+import org.evoloop.converter.DeviceLink;
+import org.evoloop.converter.PushMonitor;
+import org.evoloop.mqtt.MqttOptions;
+import org.evoloop.page.PageOptions;
+import org.evoloop.program.Program;
+import org.evoloop.program.ProgramModels;
+import org.evoloop.program.ProgramSetup;
+import org.evoloop.service.ServiceOptions;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.Names;
+import org.evoloop.testkit.SimulatedDevice;
+
+/**
+ * Runs a device file as a program, with the options that every program has.
+ *
+ * <p>Threading: {@link #run} is for the process's main thread.
+ *
+ * @since 0.1
+ */
+public final class DeviceProgram {
+    private static final Option<Boolean> SIMULATE =
+            Option.flag("simulate", "Plays the device by its model, and opens no connection.");
+
+    private final DeviceFile file;
+
+    private DeviceProgram(DeviceFile file) {
+        this.file = file;
+    }
+
+    /** The names of the options that a device file may have, as every program has them. */
+    public static Set<String> options() {
+        List<String> names = new ArrayList<>();
+        ServiceOptions.OPTIONS
+                .and(PageOptions.OPTIONS, MqttOptions.OPTIONS)
+                .forEach((option, label, description) -> names.add(option.name()));
+        names.removeAll(List.of("config", "print-config"));
+        return Set.copyOf(names);
+    }
+
+    /**
+     * Runs the file's converter until it ends.
+     *
+     * @param arguments the options on the command line, which win over the file's
+     * @return the exit status for the process
+     * @throws org.evoloop.device.file.DeviceFileException with all mistakes in the file
+     */
+    public static int run(Path path, List<String> arguments) {
+        DeviceFile file = DeviceFile.read(path, options());
+        String[] all = Stream.concat(
+                        file.options().stream().filter(option -> !isGiven(option, arguments)), arguments.stream())
+                .toArray(String[]::new);
+        return program(file).run(all);
+    }
+
+    /**
+     * Prints how it is used.
+     *
+     * @return the exit status for the process
+     */
+    public static int help() {
+        return Program.named("FILE.yaml", "Runs the converter of a device file.")
+                .options(Options.of(SIMULATE))
+                .run("--help");
+    }
+
+    private static boolean isGiven(String option, List<String> arguments) {
+        String name = option.substring(0, option.indexOf('='));
+        return arguments.stream().anyMatch(given -> given.equals(name) || given.startsWith(name + "="));
+    }
+
+    private static Program program(DeviceFile file) {
+        ProgramModels models = file.programModels();
+        return Program.named(file.name(), "Runs the converter of the device file " + file.path() + ".")
+                .models(() -> models)
+                .options(Options.of(SIMULATE))
+                .converter(file.name(), new DeviceProgram(file)::assemble);
+    }
+
+    private void assemble(ProgramSetup setup) {
+        PushMonitor console = new PushMonitor("Console");
+        setup.converter().addMonitor(console);
+        setup.command(ConsoleCommand.of(
+                        "press EVENT",
+                        "operates a control of the controller",
+                        (words, out) -> console.press(named(setup.converter().controllerEvents(), words.get(0))))
+                .completing(before -> before.isEmpty() ? typed(setup.converter().controllerEvents()) : Set.of()));
+        if (setup.settings().get(SIMULATE).orElse(false)) {
+            simulate(setup);
+        } else {
+            connect(setup);
+        }
+        setup.knowledge(file::knowledge);
+    }
+
+    private void simulate(ProgramSetup setup) {
+        SimulatedDevice device = file.simulated();
+        device.addTo(setup.converter(), setup.clock());
+        file.guards().attach(setup.clock(), List.of());
+        Set<Event> own = file.devicesOwn();
+        setup.command(ConsoleCommand.of(
+                        "device EVENT",
+                        "what the simulated device does by itself",
+                        (words, out) -> device.acts(named(own, words.get(0))))
+                .completing(before -> before.isEmpty() ? typed(own) : Set.of()));
+        setup.onOpen(
+                () -> device.put(setup.converter().status().states().original().name()));
+    }
+
+    private void connect(ProgramSetup setup) {
+        List<DeviceLink> links = new ArrayList<>();
+        for (Connection connection : file.connections()) {
+            Parts parts = connection.assemble(setup.clock());
+            parts.monitors().forEach(setup.converter()::addMonitor);
+            parts.executes().forEach(setup.converter()::addExecute);
+            if (parts.link() != null) {
+                links.add(parts.link());
+            }
+            setup.closing(parts.close()::run);
+            setup.onOpen(parts.open()::open);
+        }
+        if (!links.isEmpty()) {
+            setup.converter().addLink(links.size() == 1 ? links.get(0) : new Links(links));
+        }
+        file.guards().attach(setup.clock(), links);
+    }
+
+    /** The names as a user types them, with {@code _} for each blank. */
+    private static Set<String> typed(Set<Event> names) {
+        return Set.copyOf(
+                names.stream().map(name -> name.name().replaceAll("\\s", "_")).toList());
+    }
+
+    private static String named(Set<Event> known, String typed) {
+        return known.stream()
+                .map(Event::name)
+                .filter(name -> name.replaceAll("\\s", "_").equals(typed))
+                .findFirst()
+                .orElseThrow(
+                        () -> new IllegalArgumentException("there is no " + typed + Names.hint(typed, typed(known))));
+    }
+}

@@ -1,0 +1,59 @@
+package org.evoloop.device;
+
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Predicate;
+import org.evoloop.converter.Effect;
+import org.evoloop.converter.StateKnowledge;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Values;
+import org.evoloop.function.NewFunction;
+import org.evoloop.statemachine.State;
+
+/** The functions, guards, effects and costs of a device file. */
+final class FileKnowledge extends StateKnowledge {
+    private final Content content;
+
+    /**
+     * What a file registers.
+     *
+     * @param functions by state
+     * @param guards by text
+     * @param effects by text
+     * @param costs by event
+     * @param doNotPass states of the original model
+     */
+    record Content(
+            Map<String, FileFunction> functions,
+            Map<String, Predicate<Values>> guards,
+            Map<String, Effect.OfEvent> effects,
+            Map<String, Integer> costs,
+            Set<String> doNotPass) {}
+
+    FileKnowledge(ModelPair models, Content content) {
+        super(models);
+        this.content = content;
+    }
+
+    @Override
+    protected void registerNewFunctions() {
+        content.functions().forEach((state, function) -> {
+            function(state, function);
+            function.sends().forEach(event -> sends(state, event));
+        });
+        for (State state : models().evolved().states()) {
+            boolean isThere = content.functions().keySet().stream()
+                    .anyMatch(
+                            named -> models().evolved().alike(new State(named)).contains(state));
+            if (models().isNew(state)
+                    && !isThere
+                    && !models().whereDeviceMustBe(state).isEmpty()) {
+                function(state.name(), NewFunction.none());
+            }
+        }
+        content.guards().forEach(this::guard);
+        content.effects().forEach(this::effect);
+        content.costs().forEach(this::cost);
+        content.doNotPass().forEach(this::doNotPass);
+    }
+}

@@ -1,0 +1,250 @@
+package org.evoloop.device;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.evoloop.device.file.Node;
+import org.evoloop.device.file.Problems;
+import org.evoloop.device.file.Section;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.Names;
+import org.evoloop.statemachine.State;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The names that a device file may use, those of its models; and which of them it has used. A name that the models do
+ * not have is noted with its line.
+ *
+ * <p>Threading: for one thread.
+ *
+ * @since 0.1
+ */
+public final class FileModels {
+    private final @Nullable ModelPair pair;
+    private final Problems problems;
+    private final Set<String> sent = new LinkedHashSet<>();
+    private final Set<String> devicesOwn = new LinkedHashSet<>();
+    private final Set<String> pressed = new LinkedHashSet<>();
+    private final Set<String> withFunction = new LinkedHashSet<>();
+    private final List<Node.Text> sentByFunctions = new ArrayList<>();
+
+    /**
+     * @param pair null if the file has no models: then every event is known
+     * @param problems receives the mistakes
+     */
+    FileModels(@Nullable ModelPair pair, Problems problems) {
+        this.pair = pair;
+        this.problems = problems;
+    }
+
+    /** An event that is sent to the device. */
+    public String sent(Node.Text event) {
+        sent.add(event.value());
+        if (pair != null) {
+            require(
+                    event,
+                    "an event of the original model",
+                    events(pair.original().triggers()));
+        }
+        return event.value();
+    }
+
+    /** An event that the device raises by itself. */
+    public String devicesOwn(Node.Text event) {
+        devicesOwn.add(event.value());
+        if (pair != null) {
+            require(
+                    event,
+                    "an event of the original model",
+                    events(pair.original().triggers()));
+        }
+        return event.value();
+    }
+
+    /** An event of the controller. */
+    public String pressed(Node.Text event) {
+        pressed.add(event.value());
+        if (pair != null) {
+            Set<String> known = new LinkedHashSet<>(events(pair.evolved().triggers()));
+            known.addAll(events(pair.original().triggers()));
+            require(event, "an event of the models", known);
+        }
+        return event.value();
+    }
+
+    /** A state of the device. */
+    public String deviceState(Node.Text state) {
+        if (pair == null) {
+            problems.at(state, "without models there are no states; give models, or make this a reading");
+        } else if (pair.original().alike(new State(state.value())).isEmpty()) {
+            require(
+                    state,
+                    "a state of the original model",
+                    names(pair.original().states()));
+        }
+        return state.value();
+    }
+
+    /** Any event that the converter can hear of. */
+    void known(Node.Text event) {
+        Set<String> known = new LinkedHashSet<>(sent);
+        known.addAll(devicesOwn);
+        known.addAll(pressed);
+        if (pair != null) {
+            known.addAll(events(pair.evolved().triggers()));
+            known.addAll(events(pair.original().triggers()));
+        }
+        require(event, "an event of this file", known);
+    }
+
+    /** A state of the new model. */
+    void evolvedState(Node.Text state) {
+        if (pair != null && pair.evolved().alike(new State(state.value())).isEmpty()) {
+            require(state, "a state of the new model", names(pair.evolved().states()));
+        }
+    }
+
+    /** A state of the new model that the device does not have. */
+    public String newState(Node.Text state) {
+        if (pair == null) {
+            problems.at(state, "without models there are no new states; give models first");
+            return state.value();
+        }
+        withFunction.add(state.value());
+        List<State> meant = pair.evolved().alike(new State(state.value()));
+        if (meant.isEmpty()) {
+            require(state, "a state of the new model", names(pair.evolved().states()));
+        } else if (!pair.isNew(meant.get(0))) {
+            problems.at(state, "'" + state + "' is a state of the device, which has no function; only new states have");
+        }
+        return state.value();
+    }
+
+    /** An event that a function sends. */
+    String functionSends(Node.Text event) {
+        sentByFunctions.add(event);
+        return event.value();
+    }
+
+    /** An event that the function of {@code state} raises. */
+    String raisedIn(Node.Text state, Node.Text event) {
+        if (pair != null) {
+            Set<String> known = new LinkedHashSet<>();
+            for (State each : pair.evolved().alike(new State(state.value()))) {
+                pair.evolved()
+                        .transitionsFrom(each)
+                        .forEach(next -> known.add(next.event().trigger().name()));
+            }
+            if (!known.isEmpty() && !known.contains(event.value())) {
+                problems.at(
+                        event,
+                        "the new model has no transition for '" + event + "' in " + state
+                                + Names.hint(event.value(), known));
+            }
+        }
+        return event.value();
+    }
+
+    /** The text of a guard. */
+    void guard(Node.Text text) {
+        if (pair != null) {
+            Set<String> drawn = new LinkedHashSet<>(pair.original().guards());
+            drawn.addAll(pair.evolved().guards());
+            require(text, "a guard of the models", drawn);
+        }
+    }
+
+    /** The text of an effect. */
+    void effect(Node.Text text) {
+        if (pair != null) {
+            Set<String> drawn = new LinkedHashSet<>();
+            pair.evolved().transitions().forEach(transition -> drawn.addAll(transition.effects()));
+            require(text, "an effect of the new model", drawn);
+        }
+    }
+
+    /** Checks what can only be known once the whole file has been read. */
+    void checkAll(Section file) {
+        Node place = file.any("device").orElse(file.node());
+        if (sent.isEmpty() && !problems.isEmpty()) {
+            // What was refused may have been all that is sent.
+            return;
+        }
+        for (Node.Text event : sentByFunctions) {
+            require(event, "an event that is sent to the device", sent);
+        }
+        Set<String> both = new LinkedHashSet<>(sent);
+        both.retainAll(devicesOwn);
+        if (!both.isEmpty()) {
+            problems.at(
+                    place,
+                    "the device takes " + String.join(", ", both)
+                            + ", and raises it by itself; an event is either sent or the device's own");
+        }
+        if (pair == null) {
+            pressed.stream()
+                    .filter(event -> !sent.contains(event))
+                    .forEach(event -> problems.at(
+                            place, "a control raises '" + event + "', which is not sent" + Names.hint(event, sent)));
+            return;
+        }
+        Set<String> own = new LinkedHashSet<>(devicesOwn);
+        own.addAll(events(pair.original().spontaneous()));
+        for (String event : events(pair.original().triggers())) {
+            boolean isTimed = new Event(event).timeTrigger().isPresent();
+            if (!sent.contains(event) && !own.contains(event) && !isTimed) {
+                problems.at(
+                        place,
+                        "nothing sends '" + event + "', an event of the original model; add it under"
+                                + " device.send or, if only the device raises it, under device.does or as spontaneous in the model");
+            }
+        }
+        for (State state : pair.evolved().states()) {
+            if (pair.isNew(state)
+                    && pair.whereDeviceMustBe(state).isEmpty()
+                    && pair.evolved().timers(state).isEmpty()
+                    && withFunction.stream()
+                            .noneMatch(named ->
+                                    pair.evolved().alike(new State(named)).contains(state))) {
+                problems.at(
+                        file.any("functions").orElse(file.node()),
+                        "new state '" + state
+                                + "' has no function; add it under functions, with {} if nothing has to run");
+            }
+        }
+    }
+
+    private void require(Node.Text name, String what, Collection<String> known) {
+        if (!known.contains(name.value())) {
+            problems.at(
+                    name, "'" + Names.inOneLine(name.value()) + "' is not " + what + Names.hint(name.value(), known));
+        }
+    }
+
+    private static Set<String> events(Set<Event> events) {
+        return events.stream().map(Event::name).collect(Collectors.toCollection(LinkedHashSet::new));
+    }
+
+    private static List<String> names(Set<State> states) {
+        return states.stream().map(State::name).toList();
+    }
+
+    /** The events that are sent. */
+    Set<String> allSent() {
+        return sent;
+    }
+
+    /** The events that the device raises by itself, as the file says. */
+    Set<String> allDevicesOwn() {
+        return devicesOwn;
+    }
+
+    /** The events of the controller. */
+    Set<String> allPressed() {
+        return pressed;
+    }
+}

@@ -1,0 +1,135 @@
+package org.evoloop.device;
+
+import java.time.Duration;
+import java.time.LocalTime;
+import java.time.format.DateTimeParseException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.evoloop.device.file.Node;
+import org.evoloop.device.file.Section;
+import org.jspecify.annotations.Nullable;
+
+/** Reads what functions and effects of a device file do. */
+final class FunctionReader {
+    private static final List<String> ACTIONS = List.of("send", "raise", "finish", "wait", "say", "to");
+
+    private final FileModels models;
+    private final Connections connections;
+
+    FunctionReader(FileModels models, Connections connections) {
+        this.models = models;
+        this.connections = connections;
+    }
+
+    /** The function of {@code state}. */
+    FileFunction function(Node.Text state, Section section) {
+        List<Action> steps = new ArrayList<>(actions(state, section, "on-enter"));
+        steps.addAll(actions(state, section, "steps"));
+        Duration period = section.duration("every").orElse(null);
+        if (period != null && period.isZero()) {
+            section.problem(section.name() + ".every is no time at all; give more than 0 s");
+        }
+        List<Action> repeated = new ArrayList<>();
+        Map<LocalTime, List<Action>> daily = new LinkedHashMap<>();
+        for (Section at : section.listed("at")) {
+            at.require("time");
+            LocalTime time = at.value("time", FunctionReader::timeOfDay).orElse(null);
+            Action action = action(state, at);
+            at.done();
+            if (time != null && action != null) {
+                daily.computeIfAbsent(time, first -> new ArrayList<>()).add(action);
+            }
+        }
+        if (section.has("every")) {
+            Action action = action(state, section);
+            if (action != null) {
+                repeated.add(action);
+            }
+        }
+        List<Action.Do> onExit = new ArrayList<>();
+        for (Section each : section.listed("on-exit")) {
+            Action action = action(state, each);
+            each.done();
+            if (action instanceof Action.Do outside) {
+                onExit.add(outside);
+            } else if (action != null) {
+                each.problem("when a state has been left, its function can only act outside: to a connection");
+            }
+        }
+        section.done();
+        return new FileFunction(steps, period, repeated, daily, onExit);
+    }
+
+    private static LocalTime timeOfDay(String text) {
+        try {
+            return LocalTime.parse(text);
+        } catch (DateTimeParseException wrong) {
+            throw new IllegalArgumentException("'" + text + "' is no time of day; write it as 07:30");
+        }
+    }
+
+    private List<Action> actions(Node.Text state, Section section, String key) {
+        List<Action> actions = new ArrayList<>();
+        for (Section each : section.listed(key)) {
+            Action action = action(state, each);
+            each.done();
+            if (action != null) {
+                actions.add(action);
+            }
+        }
+        return actions;
+    }
+
+    /**
+     * The action in {@code section}, which may have other keys, too.
+     *
+     * @param state whose function it belongs to
+     */
+    private @Nullable Action action(Node.Text state, Section section) {
+        List<String> given = ACTIONS.stream().filter(section::has).toList();
+        if (given.size() != 1) {
+            section.problem(section.name() + " needs " + (given.isEmpty() ? "one" : "only one") + " of "
+                    + String.join(", ", ACTIONS));
+            return null;
+        }
+        return switch (given.get(0)) {
+            case "send" ->
+                section.text("send")
+                        .map(event -> new Action.Send(models.functionSends(event)))
+                        .orElse(null);
+            case "raise" ->
+                section.text("raise")
+                        .map(event -> new Action.Raise(models.raisedIn(state, event)))
+                        .orElse(null);
+            case "finish" ->
+                section.text("finish")
+                        .map(event -> new Action.Finish(models.raisedIn(state, event)))
+                        .orElse(null);
+            case "wait" -> section.duration("wait").map(Action.Wait::new).orElse(null);
+            case "say" ->
+                section.text("say").map(text -> new Action.Say(text.value())).orElse(null);
+            default -> outward(section);
+        };
+    }
+
+    /** For messages: {@code to panel: LED ON}. */
+    private static String what(Section section) {
+        String more = section.keys().stream()
+                .filter(key -> !List.of("to", "every", "time").contains(key.value()))
+                .flatMap(key -> section.any(key.value()).stream())
+                .filter(Node.Text.class::isInstance)
+                .map(Node::toString)
+                .collect(Collectors.joining(" "));
+        return "to " + section.text("to").map(Node.Text::value).orElse("") + ": " + more;
+    }
+
+    /** What is done outside of the converter: {@code to: CONNECTION}, and what that connection asks for. */
+    Action.@Nullable Do outward(Section section) {
+        Connection connection = connections.named(section, "to");
+        Outward outward = connection == null ? null : connection.outward(section);
+        return connection == null || outward == null ? null : new Action.Do(connection, what(section), outward);
+    }
+}

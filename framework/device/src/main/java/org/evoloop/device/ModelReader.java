@@ -1,0 +1,83 @@
+package org.evoloop.device;
+
+import java.nio.file.Path;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.evoloop.device.file.Node;
+import org.evoloop.device.file.Problems;
+import org.evoloop.device.file.Section;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.StateMachineBuilder;
+import org.evoloop.xmi.ModelReference;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The models of a device file.
+ *
+ * @param known null if the file names none, or they cannot be used
+ * @param references the original and the new model; none if the file names none
+ */
+record ModelReader(@Nullable ModelPair known, List<ModelReference> references) {
+    private static final String ONLY_STATE = "Any";
+
+    /** Reads the section {@code models} of {@code file}. */
+    static ModelReader read(Section file, Problems problems) {
+        Section models = file.section("models").orElse(null);
+        if (models == null) {
+            return new ModelReader(null, List.of());
+        }
+        Optional<Node.Text> original = models.need("original");
+        Optional<Node.Text> evolved = models.need("new");
+        models.done();
+        StateMachine drawn =
+                original.map(reference -> machine(reference, problems)).orElse(null);
+        StateMachine wanted =
+                evolved.map(reference -> machine(reference, problems)).orElse(null);
+        if (drawn == null || wanted == null) {
+            // What names could be right is not known.
+            problems.throwIfAny();
+            throw new IllegalStateException("a problem is missing");
+        }
+        ModelPair pair = new ModelPair(drawn, wanted);
+        try {
+            pair.requireValid();
+        } catch (ModelException invalid) {
+            models.problem(String.valueOf(invalid.getMessage()));
+        }
+        return new ModelReader(
+                pair,
+                List.of(
+                        reference(original.orElseThrow(), problems.file()),
+                        reference(evolved.orElseThrow(), problems.file())));
+    }
+
+    private static @Nullable StateMachine machine(Node.Text reference, Problems problems) {
+        try {
+            return reference(reference, problems.file()).load();
+        } catch (ModelException | IllegalArgumentException unusable) {
+            problems.at(reference, String.valueOf(unusable.getMessage()));
+            return null;
+        }
+    }
+
+    private static ModelReference reference(Node.Text written, Path file) {
+        return ModelReference.parse(file.resolveSibling(written.value()).toString());
+    }
+
+    /** The models; if the file has none, one state with a loop for each event that the file names. */
+    ModelPair pair(FileModels models) {
+        if (known != null) {
+            return known;
+        }
+        StateMachineBuilder machine = StateMachine.named("original").initial(ONLY_STATE);
+        Set<String> events = new LinkedHashSet<>(models.allSent());
+        events.addAll(models.allDevicesOwn());
+        events.forEach(event -> machine.transition(ONLY_STATE, event, ONLY_STATE));
+        StateMachine any = machine.build();
+        return new ModelPair(any, any.withName("new"));
+    }
+}

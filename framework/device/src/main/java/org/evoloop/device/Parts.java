@@ -1,0 +1,42 @@
+package org.evoloop.device;
+
+import java.io.IOException;
+import java.util.List;
+import org.evoloop.converter.DeviceLink;
+import org.evoloop.converter.EventExecute;
+import org.evoloop.converter.EventMonitor;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What a connection consists of.
+ *
+ * <p>Threading: as its components.
+ *
+ * @param link for the status; null if there is nothing to show
+ * @param open opens it, without waiting for the other end
+ * @param close ends it; idempotent
+ * @since 0.1
+ */
+public record Parts(
+        List<EventMonitor> monitors,
+        List<EventExecute> executes,
+        @Nullable DeviceLink link,
+        Opening open,
+        Runnable close) {
+
+    /** Opens a connection. */
+    @FunctionalInterface
+    public interface Opening {
+        /**
+         * Opens it.
+         *
+         * @throws IOException if this computer lacks what it takes; the message says what to do
+         */
+        void open() throws IOException;
+    }
+
+    public Parts {
+        monitors = List.copyOf(monitors);
+        executes = List.copyOf(executes);
+    }
+}

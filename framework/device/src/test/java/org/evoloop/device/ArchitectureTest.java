@@ -1,0 +1,33 @@
+package org.evoloop.device;
+
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.junit.AnalyzeClasses;
+import com.tngtech.archunit.junit.ArchTest;
+import com.tngtech.archunit.lang.ArchRule;
+
+/** What the rooms of device files may use. */
+@AnalyzeClasses(packages = "org.evoloop.device", importOptions = ImportOption.DoNotIncludeTests.class)
+class ArchitectureTest {
+    @ArchTest
+    static final ArchRule theTextOfAFileKnowsNoDevice = noClasses()
+            .that()
+            .resideInAPackage("org.evoloop.device.file..")
+            .should()
+            .dependOnClassesThat()
+            .resideOutsideOfPackages(
+                    "org.evoloop.device.file..",
+                    "org.evoloop.statemachine..",
+                    "org.snakeyaml..",
+                    "org.jspecify..",
+                    "java..");
+
+    @ArchTest
+    static final ArchRule aFileIsWiringAndReadsNoYamlItself = noClasses()
+            .that()
+            .resideInAPackage("org.evoloop.device")
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage("org.snakeyaml..", "java.net..", "java.lang.Thread..");
+}

@@ -1,0 +1,177 @@
+package org.evoloop.device;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InterruptedIOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Device files that run as programs, against a device at a TCP port, or played. */
+@Timeout(60)
+class DeviceProgramTest {
+    private static final String MODELS = """
+            ## original
+
+            ```mermaid
+            stateDiagram-v2
+                [*] --> Off
+                Off --> On : power
+                On --> Off : power
+                On --> Off : «spontaneous» burnt
+            ```
+
+            ## new
+
+            ```mermaid
+            stateDiagram-v2
+                [*] --> Off
+                Off --> On : power
+                On --> Off : power
+                On --> Off : burnt
+                Off --> Timed : timed
+                Timed : «device On»
+                Timed --> Off : burnt
+                Timed --> Off : power
+                Off --> On : warm [hot]
+            ```
+            """;
+
+    private static final String LAMP = """
+            converter: lamp
+            models: {original: lamp.md#original, new: lamp.md#new}
+            connections:
+              lamp: {lines: "ADDRESS", greet: "?"}
+            device:
+              send: {power: {line: PWR, cost: 2}}
+              answer: {ok: OK, error: ERR, within: 5 s}
+              ask: {line: "?"}
+              state: {is off: "Off", is on: "On"}
+              does: [{line: "burnt (?<why>.*)", event: burnt}]
+              readings: {temperature: {line: "T ([0-9]+)", unit: °C}}
+            controller:
+              press:
+                - {values: {button power: power, button timed: timed}}
+                - {line: "button warm", event: warm}
+            functions:
+              Timed: {on-enter: {to: lamp, line: LED ON}, on-exit: {to: lamp, line: LED OFF}}
+            guards:
+              hot: {reading: temperature, above: 50}
+            """;
+
+    private final InputStream in = System.in;
+    private final PrintStream out = System.out;
+    private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
+    private final BlockingQueue<Byte> typed = new LinkedBlockingQueue<>();
+
+    @TempDir
+    private Path folder;
+
+    @BeforeEach
+    void redirect() throws IOException {
+        System.setIn(new Typed());
+        System.setOut(new PrintStream(printed, true, StandardCharsets.UTF_8));
+        Files.writeString(folder.resolve("lamp.md"), MODELS);
+    }
+
+    @AfterEach
+    void restore() {
+        System.setIn(in);
+        System.setOut(out);
+    }
+
+    private void type(String line) {
+        for (byte each : (line + "\n").getBytes(StandardCharsets.UTF_8)) {
+            typed.add(each);
+        }
+    }
+
+    /** What is typed, whichever threads read it. */
+    private final class Typed extends InputStream {
+        @Override
+        public int read() throws IOException {
+            try {
+                return typed.take();
+            } catch (InterruptedException end) {
+                throw new InterruptedIOException();
+            }
+        }
+
+        @Override
+        public int read(byte[] bytes, int from, int most) throws IOException {
+            bytes[from] = (byte) read();
+            return 1;
+        }
+    }
+
+    private String printed() {
+        return printed.toString(StandardCharsets.UTF_8);
+    }
+
+    private void awaitHistory(String line) {
+        await().until(() -> {
+            type("history 9");
+            return printed().contains(line);
+        });
+    }
+
+    private CompletableFuture<Integer> run(String address, String... options) throws IOException {
+        Path file = Files.writeString(folder.resolve("lamp.yaml"), LAMP.replace("ADDRESS", address));
+        return CompletableFuture.supplyAsync(() -> DeviceProgram.run(file, List.of(options)));
+    }
+
+    @Test
+    void aDeviceThatSpeaksInLinesIsConvertedWithoutJava() throws Exception {
+        try (LineDevice lamp = new LineDevice(line -> line.equals("PWR") ? "OK" : line.equals("?") ? "is off" : "")) {
+            CompletableFuture<Integer> status = run(lamp.address(), "--start");
+            await().until(() -> lamp.heard().contains("?"));
+            lamp.tell("button timed");
+            await().until(() -> lamp.heard().contains("LED ON"));
+            assertThat(lamp.heard()).containsExactly("?", "PWR", "LED ON");
+            lamp.tell("burnt out");
+            await().until(() -> lamp.heard().contains("LED OFF"));
+            lamp.tell("T 40");
+            lamp.tell("button warm");
+            lamp.tell("T 60");
+            lamp.tell("button warm");
+            await().until(() -> lamp.heard().stream().filter("PWR"::equals).count() == 2);
+            awaitHistory("warm (controller)  (Off, Off) -> (On, On)");
+            assertThat(printed())
+                    .contains("timed (controller)  (Off, Off) -> (On, Timed)")
+                    .contains("burnt");
+            type("status");
+            await().until(() -> printed().contains("temperature 60"));
+            type("exit");
+            assertThat(status.get(30, TimeUnit.SECONDS)).isZero();
+        }
+    }
+
+    @Test
+    void aPlayedDeviceNeedsNoConnection() throws Exception {
+        CompletableFuture<Integer> status = run("tcp://127.0.0.1:1", "--simulate", "--start");
+        type("press timed");
+        awaitHistory("timed (controller)  (Off, Off) -> (On, Timed)");
+        await().until(() -> printed().contains("to lamp: LED ON"));
+        type("device burnt");
+        awaitHistory("(On, Timed) -> (Off, Off)");
+        type("press warm");
+        awaitHistory("warm (controller)");
+        type("exit");
+        assertThat(status.get(30, TimeUnit.SECONDS)).isZero();
+    }
+}
