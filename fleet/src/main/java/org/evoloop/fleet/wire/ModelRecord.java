@@ -141,13 +141,8 @@ public record ModelRecord(
     }
 
     private Rules rules() {
-<<<<<<< HEAD
-        XmiFile models = XmiFile.read(file, new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
-        ModelPair pair = using(new ModelPair(models.pick(original), models.pick(evolved)));
-=======
         ModelFile models = ModelFile.read(file, new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
-        ModelPair pair = new ModelPair(models.pick(original), models.pick(evolved));
->>>>>>> h-core48
+        ModelPair pair = using(new ModelPair(models.pick(original), models.pick(evolved)));
         pair.requireValid();
         DecisionTable table = DecisionTable.compile(pair, device(pair.original()));
         if (!table.problems().isEmpty()) {
