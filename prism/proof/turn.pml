@@ -131,7 +131,7 @@ inline planned(id_, plan_, start, system) {
     if
     :: device_at != (start) || system_at != (system) -> again()
 #ifndef A_REQUEST_THAT_HAS_BEGUN_IS_DECIDED_BEFORE_FACTS
-    :: device_at == (start) && system_at == (system) && !HAS_HAPPENED(work) && j > 0 -> give_way()
+    :: device_at == (start) && system_at == (system) && !HAS_HAPPENED(work) && (j > 0 || (owed && IS_ELSEWHERE)) -> give_way()
 #endif
     :: else ->
       must(HEARD_FIRST, HAS_HAPPENED(work) || j == 0);

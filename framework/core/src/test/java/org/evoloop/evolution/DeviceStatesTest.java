@@ -47,6 +47,14 @@ class DeviceStatesTest {
     }
 
     @Test
+    void isDescribedWithWhereTheDeviceIs() {
+        State stopUp = new State("StopUp");
+
+        assertThat(pair("StopUp").describe(new Configuration(stopUp, GAP))).isEqualTo("Gap, the device in StopUp");
+        assertThat(pair("StopUp").describe(new Configuration(stopUp, stopUp))).isEqualTo("StopUp");
+    }
+
+    @Test
     void theDeviceMayBeAnywhereInANewStateWithout() {
         StateMachine evolved = door().transition("Closed", "gap", "Gap").build();
 
