@@ -2,7 +2,11 @@ package org.evoloop.device;
 
 import org.evoloop.device.file.Section;
 
-/** {@code lines: tcp://HOST:PORT}: a device or a controller that exchanges lines of text. */
+/**
+ * {@code lines: tcp://HOST:PORT}: a device or a controller that exchanges lines of text.
+ *
+ * @since 0.1
+ */
 public final class LineKind implements ConnectionKind {
     /** For {@link java.util.ServiceLoader}. */
     public LineKind() {}
