@@ -9,8 +9,8 @@ import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.check.timing.TimeRules;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.ModelException;
-import org.evoloop.xmi.ModelReference;
 import org.evoloop.xmi.ModelFile;
+import org.evoloop.xmi.ModelReference;
 
 /**
  * The models of a program, as its files have them.
