@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.xmi.astah.AstahDialect;
 import org.evoloop.xmi.dialect.DrawnMachine;
@@ -151,8 +152,10 @@ public final class ModelFile {
         }
         requireSome();
         if (found.isEmpty()) {
-            throw new ModelException(
-                    file + ": no state machine is named " + Problems.quote(wanted) + "; there is " + list(machines));
+            String meant =
+                    Names.meant(wanted, machines.stream().map(XmiMachine::name).toList());
+            throw new ModelException(file + ": no state machine is named " + Problems.quote(wanted) + meant
+                    + (meant.isEmpty() ? "; there is " : " There is ") + list(machines));
         }
         throw new ModelException(file + ": " + Problems.quote(wanted) + " names " + found.size()
                 + " state machines; choose one by its id, or give them different names: " + list(found));

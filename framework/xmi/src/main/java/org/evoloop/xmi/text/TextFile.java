@@ -38,6 +38,9 @@ final class TextFile {
     private static final Pattern END = Pattern.compile("(?i)\\s*@end\\w+.*");
     private static final Pattern FENCE = Pattern.compile("\\s*(```+|~~~+)\\s*\\{?\\.?(\\w*)(.*)");
     private static final Pattern HEADING = Pattern.compile("\\s{0,3}#{1,6}\\s+(.*?)\\s*#*\\s*");
+    /** Makes the line above it a heading. */
+    private static final Pattern UNDERLINE = Pattern.compile("\\s{0,3}(=+|-{2,})\\s*");
+
     private static final Pattern PLANTUML_STATE = Pattern.compile("(?i)\\s*state\\s.*|.*\\[\\*\\].*|.*\\[H\\*?\\].*");
     private static final List<Map.Entry<Pattern, String>> PLANTUML_KINDS = List.of(
             Map.entry(
@@ -117,11 +120,14 @@ final class TextFile {
 
     private void markdown() {
         String heading = "";
-        for (int i = 0; i < lines.size(); i++) {
+        int begin = lines.get(0).strip().equals("---") ? Math.max(0, closing(0, "---")) : 0;
+        for (int i = begin; i < lines.size(); i++) {
             Matcher fence = FENCE.matcher(lines.get(i));
             Matcher title = HEADING.matcher(lines.get(i));
             if (title.matches()) {
-                heading = title.group(1).replaceAll("[`*]", "").strip();
+                heading = plain(title.group(1));
+            } else if (i > begin && UNDERLINE.matcher(lines.get(i)).matches() && isProse(lines.get(i - 1))) {
+                heading = plain(lines.get(i - 1));
             }
             if (!fence.matches()) {
                 continue;
@@ -140,6 +146,16 @@ final class TextFile {
             }
             i = end < 0 ? lines.size() : end;
         }
+    }
+
+    private static String plain(String heading) {
+        return heading.replaceAll("[`*]", "").strip();
+    }
+
+    private static boolean isProse(String line) {
+        return !line.isBlank()
+                && !FENCE.matcher(line).matches()
+                && !HEADING.matcher(line).matches();
     }
 
     /** The index of the line that closes the block; negative if none does. */

@@ -340,6 +340,19 @@ class TextReadingTest {
     }
 
     @Test
+    void anUnderlinedLineIsAHeading() {
+        String block = "```mermaid\nstateDiagram-v2\n[*] --> A\n```\n";
+
+        assertThat(file(
+                                "F.md",
+                                "---\nlayout: page\n---\n" + block + "\n---\nold *one*\n===\n" + block + "new\n---\n"
+                                        + block)
+                        .machines())
+                .extracting(XmiMachine::name)
+                .containsExactly("L5", "old one", "new");
+    }
+
+    @Test
     void aMachineIsCalledByItsTitleOrElseItsFile() {
         assertThat(file("a/lamp.mmd", "stateDiagram-v2\n[*] --> A\n").findOnly().name())
                 .isEqualTo("lamp");

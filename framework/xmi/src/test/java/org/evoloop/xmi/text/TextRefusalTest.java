@@ -153,6 +153,12 @@ class TextRefusalTest {
                 .isInstanceOf(ModelException.class)
                 .hasMessageContainingAll("'new' names 2 state machines", "id L3", "id L7");
         assertThat(file.pick("L7").initial()).hasToString("A");
+        assertThatThrownBy(() -> file.pick("The-New"))
+                .isInstanceOf(ModelException.class)
+                .hasMessageStartingWith("a.md: no state machine is named 'The-New'; there is 'new'");
+        assertThatThrownBy(() -> file.pick("nwe"))
+                .isInstanceOf(ModelException.class)
+                .hasMessageStartingWith("a.md: no state machine is named 'nwe'; did you mean new? There is 'new'");
     }
 
     @Test
