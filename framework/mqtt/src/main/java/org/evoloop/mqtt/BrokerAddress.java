@@ -108,9 +108,8 @@ public final class BrokerAddress {
         String certificates = parameters.get("ca");
         // Read once, and kept with the address: the file may be a pipe.
         String pinned = parameters.get("sha256");
-        TrustManagerFactory trust = certificates != null
-                ? Trust.in(Path.of(certificates))
-                : pinned != null ? Trust.pinned(pinned) : null;
+        TrustManagerFactory trust =
+                certificates != null ? Trust.in(Path.of(certificates)) : pinned != null ? Trust.pinned(pinned) : null;
         return new BrokerAddress("mqtts".equals(uri.getScheme()), place, parameters, trust, null);
     }
 
@@ -133,8 +132,9 @@ public final class BrokerAddress {
         for (String each : query == null ? new String[0] : query.split("&")) {
             String[] parts = each.split("=", 2);
             if (!PARAMETERS.contains(parts[0]) || parts.length < 2 || parts[1].isEmpty()) {
-                throw new IllegalArgumentException("the broker's URL " + masked(uri.toString()) + " has '" + parts[0]
-                        + "' after its question mark; there are id=ID, ca=FILE, sha256=FINGERPRINT and discovery=PREFIX");
+                throw new IllegalArgumentException(
+                        "the broker's URL " + masked(uri.toString()) + " has '" + parts[0]
+                                + "' after its question mark; there are id=ID, ca=FILE, sha256=FINGERPRINT and discovery=PREFIX");
             }
             found.put(parts[0], parts[1]);
         }

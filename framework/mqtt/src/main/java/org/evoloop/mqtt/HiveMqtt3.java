@@ -55,7 +55,10 @@ final class HiveMqtt3 implements HiveClient {
 
     @Override
     public CompletableFuture<?> connect() {
-        return client.connectWith().cleanSession(true).keepAlive(KEEP_ALIVE_SECONDS).send();
+        return client.connectWith()
+                .cleanSession(true)
+                .keepAlive(KEEP_ALIVE_SECONDS)
+                .send();
     }
 
     @Override

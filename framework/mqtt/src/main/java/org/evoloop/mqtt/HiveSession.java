@@ -67,8 +67,7 @@ final class HiveSession implements AutoCloseable {
         }
     }
 
-    private static HiveSession connect(
-            Version version, Setup setup, Consumer<Message> incoming, Consumer<String> lost)
+    private static HiveSession connect(Version version, Setup setup, Consumer<Message> incoming, Consumer<String> lost)
             throws BrokerException, InterruptedException {
         BrokerAddress address = setup.address();
         AtomicBoolean gone = new AtomicBoolean();

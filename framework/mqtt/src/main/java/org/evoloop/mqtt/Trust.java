@@ -72,8 +72,9 @@ final class Trust {
     static TrustManagerFactory pinned(String fingerprint) {
         String digits = fingerprint.replace(":", "");
         if (!digits.matches("[0-9a-fA-F]{64}")) {
-            throw new IllegalArgumentException("sha256=" + fingerprint + " is no fingerprint, which has 64 digits; this "
-                    + "shows it: openssl x509 -in FILE -noout -fingerprint -sha256");
+            throw new IllegalArgumentException(
+                    "sha256=" + fingerprint + " is no fingerprint, which has 64 digits; this "
+                            + "shows it: openssl x509 -in FILE -noout -fingerprint -sha256");
         }
         return new PinnedFactory(new Pinned(HexFormat.of().parseHex(digits)));
     }
@@ -118,8 +119,8 @@ final class Trust {
                 throw new IllegalStateException(impossible);
             }
             if (!MessageDigest.isEqual(shown, wanted)) {
-                throw new CertificateException(
-                        "it is not the pinned one, its sha256 is " + HexFormat.of().formatHex(shown));
+                throw new CertificateException("it is not the pinned one, its sha256 is "
+                        + HexFormat.of().formatHex(shown));
             }
         }
 

@@ -110,8 +110,8 @@ class OldBrokerTest {
                 Watcher watcher = new Watcher(broker)) {
             List<Message> heard = new CopyOnWriteArrayList<>();
             watcher.publish("lamp/own", "kept", true);
-            try (BrokerConnection connection = new BrokerConnection(
-                    BrokerAddress.parse("mqtt://127.0.0.1:" + door.getLocalPort()), "test")) {
+            try (BrokerConnection connection =
+                    new BrokerConnection(BrokerAddress.parse("mqtt://127.0.0.1:" + door.getLocalPort()), "test")) {
                 connection.will(Message.state("lamp/here", "offline"));
                 connection.publish(Message.state("lamp/here", "online"));
                 connection.subscribe("lamp/own", heard::add);
@@ -138,11 +138,14 @@ class OldBrokerTest {
                         .start();
                 ServerSocket door = door(broker, true);
                 BrokerConnection connection = new BrokerConnection(
-                        BrokerAddress.parse("mqtt://ha@127.0.0.1:" + door.getLocalPort()).withPassword("wr0ng"),
+                        BrokerAddress.parse("mqtt://ha@127.0.0.1:" + door.getLocalPort())
+                                .withPassword("wr0ng"),
                         "test")) {
             connection.open();
             await().atMost(LIMIT).until(() -> !logged.lines().isEmpty());
-            assertThat(logged.lines().get(0)).contains("refuses the login of user ha").doesNotContain("wr0ng");
+            assertThat(logged.lines().get(0))
+                    .contains("refuses the login of user ha")
+                    .doesNotContain("wr0ng");
         }
     }
 }
