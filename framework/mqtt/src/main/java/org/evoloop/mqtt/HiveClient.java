@@ -14,6 +14,7 @@ import org.evoloop.mqtt.HiveSession.Setup;
  * <p>Threading: thread-safe; nothing waits.
  */
 interface HiveClient {
+    /** After this time without messages the broker is asked whether it is there. */
     int KEEP_ALIVE_SECONDS = 15;
 
     CompletableFuture<?> connect();
