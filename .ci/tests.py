@@ -89,6 +89,11 @@ def offer(module: Path) -> None:
     shutil.copy(module / "pom.xml", folder / f"{name}-{version}.pom")
     for jar in (module / "target").glob(f"{name}-{version}*.jar"):
         shutil.copy(jar, folder)
+    # A program's jar has a name of its own, and may contain the libraries; then the original one is beside it.
+    program = pom.findtext(f"{POM}build/{POM}finalName")
+    for jar in (f"{program}.jar", f"original-{program}.jar"):
+        if program and (module / "target" / jar).exists():
+            shutil.copy(module / "target" / jar, folder / f"{name}-{version}.jar")
 
 
 def run(module: Path, options: list[str]) -> tuple[Path, bool, float]:

@@ -7,6 +7,7 @@ import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.http.HttpExecute;
 import org.evoloop.migration.Mapping;
 import org.evoloop.mqtt.BrokerAddress;
 import org.evoloop.statemachine.StateMachine;
@@ -20,6 +21,7 @@ abstract class Assumed {
     Console console;
     Clock clock;
     BrokerAddress address;
+    HttpExecute buttons;
     ModelPair models;
     StateMachine original;
     StateMachine evolved;

@@ -57,6 +57,7 @@ record Snippet(String place, String code) {
                     "org.evoloop.loop.*",
                     "org.evoloop.mqtt.*",
                     "org.evoloop.page.*",
+                    "org.evoloop.payload.*",
                     "org.evoloop.program.*",
                     "org.evoloop.roomba.oi.*",
                     "org.evoloop.roomba.simulator.robot.RobotActivity",

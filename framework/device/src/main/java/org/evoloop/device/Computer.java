@@ -9,7 +9,7 @@ import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
-import org.evoloop.line.Command;
+import org.evoloop.line.ProgramCommand;
 import org.evoloop.line.RunExecute;
 import org.jspecify.annotations.Nullable;
 
@@ -21,8 +21,8 @@ final class Computer extends Connection {
     private volatile @Nullable SystemEventConverter joined;
 
     private record Run(List<String> command, Duration within) {
-        Command on(SystemEventConverter converter) {
-            return new Command(command, within, converter.clock());
+        ProgramCommand on(SystemEventConverter converter) {
+            return new ProgramCommand(command, within, converter.clock());
         }
     }
 
@@ -59,7 +59,7 @@ final class Computer extends Connection {
     @Override
     protected Parts make(SystemEventConverter converter) {
         joined = converter;
-        Map<String, Command> commands = new LinkedHashMap<>();
+        Map<String, ProgramCommand> commands = new LinkedHashMap<>();
         sent.forEach((event, run) -> commands.put(event, run.on(converter)));
         List<EventExecute> executes = commands.isEmpty() ? List.of() : List.of(new RunExecute("RunExecute", commands));
         return new Parts(List.of(), executes, null, () -> {}, () -> {});

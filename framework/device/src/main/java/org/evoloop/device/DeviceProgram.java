@@ -17,7 +17,6 @@ import org.evoloop.program.ProgramModels;
 import org.evoloop.program.ProgramSetup;
 import org.evoloop.service.ServiceOptions;
 import org.evoloop.statemachine.Event;
-import org.evoloop.statemachine.Names;
 import org.evoloop.testkit.SimulatedDevice;
 
 /**
@@ -84,13 +83,7 @@ public final class DeviceProgram {
     }
 
     private void assemble(ProgramSetup setup) {
-        PushMonitor console = new PushMonitor("Console");
-        setup.converter().addMonitor(console);
-        setup.command(ConsoleCommand.of(
-                        "press EVENT",
-                        "operates a control of the controller",
-                        (words, out) -> console.press(named(setup.converter().controllerEvents(), words.get(0))))
-                .completing(before -> before.isEmpty() ? typed(setup.converter().controllerEvents()) : Set.of()));
+        setup.controller(new PushMonitor("Console"));
         if (setup.settings().get(SIMULATE).orElse(false)) {
             simulate(setup);
         } else {
@@ -104,11 +97,11 @@ public final class DeviceProgram {
         device.addTo(setup.converter(), setup.clock());
         file.guards().attach(setup.clock(), List.of());
         Set<Event> own = file.devicesOwn();
-        setup.command(ConsoleCommand.of(
-                        "device EVENT",
-                        "what the simulated device does by itself",
-                        (words, out) -> device.acts(named(own, words.get(0))))
-                .completing(before -> before.isEmpty() ? typed(own) : Set.of()));
+        setup.command(ConsoleCommand.naming(
+                "device EVENT",
+                "what the simulated device does by itself",
+                () -> own,
+                (event, more) -> device.acts(event)));
         setup.onOpen(
                 () -> device.put(setup.converter().status().states().original().name()));
     }
@@ -129,20 +122,5 @@ public final class DeviceProgram {
             setup.converter().addLink(links.size() == 1 ? links.get(0) : new Links(links));
         }
         file.guards().attach(setup.clock(), links);
-    }
-
-    /** The names as a user types them, with {@code _} for each blank. */
-    private static Set<String> typed(Set<Event> names) {
-        return Set.copyOf(
-                names.stream().map(name -> name.name().replaceAll("\\s", "_")).toList());
-    }
-
-    private static String named(Set<Event> known, String typed) {
-        return known.stream()
-                .map(Event::name)
-                .filter(name -> name.replaceAll("\\s", "_").equals(typed))
-                .findFirst()
-                .orElseThrow(
-                        () -> new IllegalArgumentException("there is no " + typed + Names.hint(typed, typed(known))));
     }
 }

@@ -16,6 +16,7 @@ import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
 
 /**
  * Other models under the conditions of a recorded converter: the events that can be sent, timers, and how many
@@ -29,10 +30,25 @@ final class OtherRules {
     }
 
     Rules like(Head head) {
-        DecisionTable table = DecisionTable.compile(models, device(head.device(), head.models()));
+        DecisionTable table = DecisionTable.compile(withSends(head.models()), device(head.device(), head.models()));
         Map<State, Map<Event, Duration>> timers = new HashMap<>();
         models.evolved().states().forEach(state -> timers.put(state, timers(state, head)));
         return new Rules(table, state -> timers.getOrDefault(state, Map.of()), head.queueCapacity(), head.pressAge());
+    }
+
+    /** The models with what functions send by code, too: it was registered for a state of the same name. */
+    private ModelPair withSends(ModelPair recorded) {
+        StateMachine evolved = models.evolved();
+        for (State state : evolved.states()) {
+            if (models.isNew(state) && recorded.evolved().hasState(state)) {
+                for (Event event : recorded.evolved().sends(state)) {
+                    if (models.original().triggers().contains(event)) {
+                        evolved = evolved.withSends(state, event);
+                    }
+                }
+            }
+        }
+        return new ModelPair(models.original(), evolved);
     }
 
     /** Events that only the other device knows can be sent, unless they are the device's own. */

@@ -10,7 +10,7 @@ import org.evoloop.evolution.Step;
  * Sends events to a device by running programs:
  *
  * <pre>{@code
- * new RunExecute("Socket", Map.of("power", new Command(List.of("./socket.sh", "toggle"), Duration.ofSeconds(5), clock)))
+ * new RunExecute("Socket", Map.of("power", new ProgramCommand(List.of("./socket.sh", "toggle"), Duration.ofSeconds(5), clock)))
  * }</pre>
  *
  * <p>A step has been executed when its program ends with status 0; with any other it has failed, and had no effect. If
@@ -21,7 +21,7 @@ import org.evoloop.evolution.Step;
  * @since 0.1
  */
 public class RunExecute extends EventExecute {
-    private final Map<String, Command> commands;
+    private final Map<String, ProgramCommand> commands;
 
     /**
      * A component that sends these events.
@@ -29,7 +29,7 @@ public class RunExecute extends EventExecute {
      * @param name its name in the console, unique within a converter
      * @param commands the programs to run, by event
      */
-    public RunExecute(String name, Map<String, Command> commands) {
+    public RunExecute(String name, Map<String, ProgramCommand> commands) {
         super(name);
         this.commands = Map.copyOf(commands);
     }
@@ -41,7 +41,7 @@ public class RunExecute extends EventExecute {
 
     @Override
     protected void send(Step step) throws IOException, InterruptedException {
-        Command command = commands.get(step.event().name());
+        ProgramCommand command = commands.get(step.event().name());
         if (command == null) {
             throw new IllegalArgumentException(name() + " has no program for " + step.event());
         }

@@ -175,8 +175,8 @@ class ProgramTest {
         assertThat(received).isEmpty();
     }
 
-    private Command command(Duration limit, String... words) {
-        return new Command(List.of(words), limit, clock);
+    private ProgramCommand command(Duration limit, String... words) {
+        return new ProgramCommand(List.of(words), limit, clock);
     }
 
     @Test

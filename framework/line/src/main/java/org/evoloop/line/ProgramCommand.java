@@ -21,7 +21,7 @@ import org.evoloop.time.Clock;
  *
  * @since 0.1
  */
-public final class Command implements Effect.OfEvent {
+public final class ProgramCommand implements Effect.OfEvent {
     private static final File NOTHING = new File("/dev/null");
 
     private final String program;
@@ -36,7 +36,7 @@ public final class Command implements Effect.OfEvent {
      * @param limit how long it may run until it is killed
      * @throws IllegalArgumentException if it names no program
      */
-    public Command(List<String> command, Duration limit, Clock clock) {
+    public ProgramCommand(List<String> command, Duration limit, Clock clock) {
         List<String> all = Programs.requireCommand(command);
         this.program = all.get(0);
         this.arguments = all.subList(1, all.size()).stream().map(Template::of).toList();
