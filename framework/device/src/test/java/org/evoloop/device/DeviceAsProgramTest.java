@@ -78,6 +78,7 @@ class DeviceAsProgramTest {
         CompletableFuture<Integer> status =
                 CompletableFuture.supplyAsync(() -> DeviceProgram.run(file, List.of("--start")));
         console.awaitStatus("link        up");
+        console.awaitStatus("lamp, running");
         console.type("press timed");
         await().until(() -> Files.exists(entered));
         console.type("press power");

@@ -116,6 +116,7 @@ class DeviceOverHttpTest {
             CompletableFuture<Integer> status =
                     CompletableFuture.supplyAsync(() -> DeviceProgram.run(file, List.of("--start")));
             console.awaitStatus("temperature 93");
+            console.awaitStatus("kettle, running");
             call(port, "/tea");
             console.awaitHistory("tea (controller)  (Off, Off) -> (Heating, Tea)");
             assertThat(called).containsExactly("/power abc");

@@ -93,6 +93,7 @@ class DeviceProgramTest {
         try (LineDevice lamp = new LineDevice(line -> line.equals("PWR") ? "OK" : line.equals("?") ? "is off" : "")) {
             CompletableFuture<Integer> status = run(lamp.address(), "--start");
             await().until(() -> lamp.heard().contains("?"));
+            console.awaitStatus("lamp, running");
             lamp.tell("button timed");
             await().until(() -> lamp.heard().contains("LED ON"));
             assertThat(lamp.heard()).containsExactly("?", "PWR", "LED ON");
