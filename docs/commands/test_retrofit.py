@@ -172,10 +172,9 @@ class RetrofitTest(unittest.TestCase):
     def test_the_pictures_show_the_models(self) -> None:
         for name in ("original", "new"):
             with self.subTest(model=name):
-                drawn = Path("docs", "fan", name)
-                command = ["java", "-jar", TOOL, "show", drawn.with_suffix(".scxml"), "--format", "svg"]
+                command = ["java", "-jar", TOOL, "show", f"docs/retrofit.md#{name}", "--format", "svg"]
                 shown = subprocess.run(command, cwd=ROOT, capture_output=True, check=True, timeout=PATIENCE_S).stdout
-                self.assertEqual(shown, (ROOT / drawn.with_suffix(".svg")).read_bytes())
+                self.assertEqual(shown, (ROOT / "docs" / "fan" / f"{name}.svg").read_bytes())
 
     def test_the_guide_leads_to_a_fan_in_home_assistant(self) -> None:
         repository = Repository(self.folder / "repository")
