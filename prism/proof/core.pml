@@ -203,8 +203,11 @@ inline find(state) {
 /* Whether the decision table has this pair of states, so that the new model would not follow if the device were found there. */
 #define STANDS_TOGETHER(device, system) (find_table[IX(pair, device, system, 0)] == system)
 
-/* Ledger.followIfApart */
-inline follow_if_apart() { owed = owed || !STANDS_TOGETHER(device_at, system_at) }
+/* Only a question to the device comes before an event that waits to be decided again. */
+#define RETRY_WAITS (line[0].attempts > 0 || line[1].attempts > 0)
+
+/* Ledger.followIfApart: what waits to be decided again may have brought the device where it is. */
+inline follow_if_apart() { owed = owed || (!RETRY_WAITS && !STANDS_TOGETHER(device_at, system_at)) }
 
 /* DecisionTable.isWhereNeeded: whether a new state needs the device elsewhere. */
 #define NEEDS_IT_ELSEWHERE(device, system) elsewhere_table[IX(pair, device, system, 0)]

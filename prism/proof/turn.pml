@@ -507,9 +507,6 @@ inline changed() { ask_where() }
 #define KEEPS_TIMER(f) (((f) >> 6) & 1)
 #define KEEPS_FUNCTION(f) (((f) >> 7) & 1)
 
-/* Only a question to the device comes before an event that waits to be decided again. */
-#define RETRY_WAITS (line[0].attempts > 0 || line[1].attempts > 0)
-
 /* Whether other models can take over; see Core.hindrance. */
 #define UNHINDERED (!busy && !RETRY_WAITS && doubt != UNSETTLED && !IS_REPORTED && POSSIBLE(FATE))
 

@@ -247,9 +247,13 @@ final class Ledger {
         return new Decision.NewState(before, after, List.of(), transition, interrupted.effects());
     }
 
-    /** The device is certainly where the record has it, which does not mean that the new model has a place there. */
+    /**
+     * The device is certainly where the record has it, which does not mean that the new model has a place there. What waits
+     * to be decided again decides that: it may have brought the device there, and would otherwise be taken for another
+     * press.
+     */
     void followIfApart() {
-        followOwed |= !rules.table().isFollowed(place.at());
+        followOwed |= !line.holdsRetry() && !rules.table().isFollowed(place.at());
     }
 
     /**

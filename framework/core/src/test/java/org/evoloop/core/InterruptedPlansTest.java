@@ -84,6 +84,22 @@ class InterruptedPlansTest {
     }
 
     @Test
+    void aPressThatIsDecidedAgainIsNotOvertakenByWhatItHasDone() {
+        core.press("power").begins();
+        // Before or after it took the step?
+        core.found("Off").sent(false);
+        assertThat(core.record()).endsWith(", in doubt");
+        core.found("On");
+        while (core.core.hasNext()) {
+            core.ready().planned();
+            if (core.core.snapshot().work() != null) {
+                core.sending().sent(true);
+            }
+        }
+        assertThat(core.core.at()).isEqualTo(at("On"));
+    }
+
+    @Test
     void whatEndsBetweenTheStepsGoesOn() {
         core.press("froth").begins().sent(true);
         core.input(new Input.Recovered(1)).input(new Input.Opened(2));
