@@ -64,7 +64,9 @@ final class Behaviors {
             problems.note(
                     line,
                     "column " + (column + slash) + ": "
-                            + Problems.quote(label.substring(slash + 1).strip())
+                            + Problems.quote(label.substring(slash + 1)
+                                    .replace(Label.BREAK, ' ')
+                                    .strip())
                             + " behind '/' is what is done; write blanks around the '/' if it is, or \\/ for the letter");
         }
     }

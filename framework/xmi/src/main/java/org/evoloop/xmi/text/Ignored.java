@@ -1,6 +1,7 @@
 package org.evoloop.xmi.text;
 
 import java.util.Set;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.evoloop.xmi.dialect.Problems;
 import org.jspecify.annotations.Nullable;
@@ -35,7 +36,11 @@ final class Ignored {
             "remove",
             "page");
     /** The PlantUML statements that end with a line {@code end WORD}, unless the text follows at once. */
-    private static final Set<String> BLOCKS = Set.of("title", "header", "footer", "legend", "caption");
+    private static final Pattern BLOCK =
+            Pattern.compile("(?i)\\s*(?:(?:left|right|center)\\s+)?(title|header|footer|legend|caption)"
+                    + "(?:\\s+(?:left|right|center|top|bottom))*\\s*");
+    /** What may follow the place of a note, beside its text: a color, a link, and the name of a state. */
+    private static final Pattern BESIDE_TEXT = Pattern.compile("#\\S*|\\[\\[.*?]]|\\bof\\s+\"[^\"]*\"");
     /** What the preprocessor does that changes no state. */
     private static final Pattern HARMLESS = Pattern.compile("!(theme|pragma|assume)\\b.*");
     /** A dotted line, which connects a note. */
@@ -111,10 +116,9 @@ final class Ignored {
         if (isStatement(line, "skinparam") && line.comesLater("{") && !line.comesLater("}")) {
             return begin(line, "skinparam", "^\\s*\\}");
         }
-        for (String word : BLOCKS) {
-            if (line.ahead().strip().equalsIgnoreCase(word)) {
-                return begin(line, word, "(?i)^\\s*end\\s*" + word);
-            }
+        Matcher block = BLOCK.matcher(line.ahead());
+        if (block.matches()) {
+            return begin(line, block.group(1), "(?i)^\\s*end\\s*" + block.group(1));
         }
         boolean ignored = DOTTED.matcher(line.ahead().strip()).matches()
                 || PLANTUML_WORDS.stream().anyMatch(word -> isStatement(line, word));
@@ -123,7 +127,8 @@ final class Ignored {
 
     /** A note in one line has its text behind a colon or in quotation marks. */
     private boolean note(Cursor line) {
-        boolean inOneLine = line.comesLater(":") || line.comesLater("\"");
+        String text = BESIDE_TEXT.matcher(line.ahead()).replaceAll("");
+        boolean inOneLine = text.contains(":") || text.contains("\"");
         return inOneLine ? all(line) : begin(line, "the note", "(?i)^\\s*end\\s*note\\s*$");
     }
 

@@ -2,6 +2,7 @@ package org.evoloop.xmi.text;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Pattern;
 import org.evoloop.xmi.dialect.Condition;
 
 /**
@@ -14,6 +15,10 @@ record Label(List<String> triggers, List<String> guards, List<String> effects, b
     /** At the end of a label that Mermaid is to read, which takes a brace for that of a state. */
     static final String LOCAL = "«local»";
 
+    /** In place of each letter of a line break in a label, which is one blank in a name. */
+    static final char BREAK = '\u0001';
+
+    private static final Pattern BREAKS = Pattern.compile("\\s*" + BREAK + "[\\s" + BREAK + "]*");
     private static final List<String> LOCALS = List.of(LOCAL, "<<local>>", "{local}");
 
     /**
@@ -21,24 +26,24 @@ record Label(List<String> triggers, List<String> guards, List<String> effects, b
      * @throws Refusal if it has no meaning
      */
     static Label parse(String text, int column, Syntax syntax) throws Refusal {
-        String label = text.stripTrailing();
+        String label = text.substring(0, end(text));
         String whole = label;
         String ending = LOCALS.stream().filter(whole::endsWith).findFirst().orElse("");
-        label = label.substring(0, label.length() - ending.length()).stripTrailing();
+        label = label.substring(0, end(label.substring(0, label.length() - ending.length())));
         int slash = Marks.slash(label, syntax);
         String head = slash < 0 ? label : label.substring(0, slash);
         List<String> guards = new ArrayList<>();
-        int end = head.stripTrailing().length();
+        int end = end(head);
         while (end > 0 && Marks.closesAt(head, end - 1, syntax)) {
             int open = Marks.opening(head, end - 1, syntax);
             if (open < 0) {
                 throw new Refusal(column + end - 1, "']' has no '[' before it; write [guard]");
             }
-            String guard = Condition.guard(Escapes.decode(head.substring(open + 1, end - 1), syntax));
+            String guard = Condition.guard(inOneLine(Escapes.decode(head.substring(open + 1, end - 1), syntax)));
             if (!guard.isEmpty()) {
                 guards.add(0, guard);
             }
-            end = head.substring(0, open).stripTrailing().length();
+            end = end(head.substring(0, open));
         }
         int stray = Marks.bracket(head.substring(0, end), syntax);
         if (stray >= 0) {
@@ -69,6 +74,22 @@ record Label(List<String> triggers, List<String> guards, List<String> effects, b
         return clear ? -1 : slash;
     }
 
+    /** The length of the text without blanks and line breaks at its end. */
+    private static int end(String text) {
+        int end = text.length();
+        while (end > 0 && (Character.isWhitespace(text.charAt(end - 1)) || text.charAt(end - 1) == BREAK)) {
+            end--;
+        }
+        return end;
+    }
+
+    /** The text with one blank for each line break. */
+    private static String inOneLine(String text) {
+        return text.indexOf(BREAK) < 0
+                ? text
+                : BREAKS.matcher(text).replaceAll(" ").strip();
+    }
+
     /** Whether each bracket is closed. */
     static boolean isBalanced(String text) {
         int depth = 0;
@@ -80,13 +101,18 @@ record Label(List<String> triggers, List<String> guards, List<String> effects, b
 
     /** The characters that divide a label, where they are not escaped. */
     private static final class Marks {
-        /** The slash before the effects, outside of guards; -1 if there is none. */
+        /** The slash before the effects, outside of guards, brackets and quotation marks; -1 if there is none. */
         static int slash(String text, Syntax syntax) {
+            boolean nested = isBalanced(text);
+            boolean quoted = false;
             int depth = 0;
+            int round = 0;
             for (int i = 0; i < text.length(); i = next(text, i, syntax)) {
                 char letter = plain(text, i, syntax);
-                depth += letter == '[' ? 1 : letter == ']' && depth > 0 ? -1 : 0;
-                if (letter == '/' && depth == 0) {
+                quoted ^= letter == '"' && (quoted || text.indexOf('"', i + 1) > 0);
+                depth += quoted ? 0 : letter == '[' ? 1 : letter == ']' && depth > 0 ? -1 : 0;
+                round += !nested || quoted ? 0 : letter == '(' ? 1 : letter == ')' ? -1 : 0;
+                if (letter == '/' && depth == 0 && round == 0 && !quoted) {
                     return i;
                 }
             }
@@ -143,7 +169,7 @@ record Label(List<String> triggers, List<String> guards, List<String> effects, b
         }
 
         private static void add(String part, Syntax syntax, List<String> parts) {
-            String decoded = Escapes.decode(part, syntax);
+            String decoded = inOneLine(Escapes.decode(part, syntax));
             if (!decoded.isEmpty()) {
                 parts.add(decoded);
             }

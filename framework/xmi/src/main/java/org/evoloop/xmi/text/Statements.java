@@ -61,8 +61,17 @@ final class Statements {
 
     Statechart chart(String title) {
         int number = block.line();
-        for (String text : block.lines()) {
+        String begun = "";
+        for (String next : block.lines()) {
             number++;
+            String text = begun + next;
+            boolean isLast = number == block.line() + block.lines().size();
+            if (syntax == Syntax.PLANTUML && !isLast && text.endsWith("\\") && !text.endsWith("\\\\")) {
+                // PlantUML continues it with the next line.
+                begun = text.substring(0, text.length() - 1);
+                continue;
+            }
+            begun = "";
             if (text.length() > LONGEST_LINE) {
                 problems.add(number, "the line has " + text.length() + " letters; write shorter ones");
                 continue;
@@ -397,12 +406,13 @@ final class Statements {
         }
     }
 
-    /** The text with blanks for each line break, so that columns stay the same. */
+    /** The text with marks in place of each line break, so that columns stay the same. */
     private static String flat(String text) {
         return text.indexOf('<') < 0 && text.indexOf('\\') < 0
                 ? text
                 : BREAK.matcher(text)
-                        .replaceAll(found -> " ".repeat(found.group().length()));
+                        .replaceAll(found ->
+                                String.valueOf(Label.BREAK).repeat(found.group().length()));
     }
 
     /** The text in a state: a behavior in each line, or a description. */

@@ -33,7 +33,7 @@ final class TextFile {
             Map.entry("mindmap", "a mind map"),
             Map.entry("timeline", "a timeline"));
     private static final Pattern TITLE = Pattern.compile("\\s*title\\s*:\\s*(.+?)\\s*");
-    private static final Pattern PLANTUML_TITLE = Pattern.compile("\\s*title\\s+(\\S.*?)\\s*");
+    private static final Pattern PLANTUML_TITLE = Pattern.compile("(?i)\\s*title\\s+(\\S.*?)\\s*");
     private static final Pattern START = Pattern.compile("(?i)\\s*@start(\\w+)(?:\\s*\\([^)]*\\))?\\s*(.*?)\\s*");
     private static final Pattern END = Pattern.compile("(?i)\\s*@end\\w+.*");
     private static final Pattern FENCE = Pattern.compile("\\s*(```+|~~~+)\\s*\\{?\\.?(\\w*)(.*)");

@@ -29,6 +29,9 @@ class TextReadingTest {
                 "A --> B : go, come [x > 1] / f(a, b), g | go, come [x > 1] / f(a, b); g",
                 "A --> B : go<br>[x]<br/>/ f | go [x] / f",
                 "A --> B : go\\n/ f | go / f",
+                "A --> B : go <br/> on<br>/ f | go on / f",
+                "A --> B : denied (timeout / user) / f | denied (timeout / user) / f",
+                "A --> B : \"x / y\" / f(\"/\") | \"x / y\" / f(\"/\")",
                 "A --> B : after 2 s | after 2 s",
                 "A --> B : tm(500ms) / f | tm(500ms) / f",
                 "A --> B : user pressed the button | user pressed the button",
@@ -268,6 +271,26 @@ class TextReadingTest {
                         "N .. A",
                         "A --> A : again"))
                 .containsExactly("state A A", "INITIAL [*] of /1", START, "A -> A : again");
+    }
+
+    @Test
+    void whatPlantUmlPlacesOrContinuesIsNoTransition() {
+        assertThat(plantUml(
+                        "Title A lamp",
+                        "legend right",
+                        "A --> C : fake",
+                        "endlegend",
+                        "center footer",
+                        "A --> C : fake",
+                        "end footer",
+                        "note right of A #back:yellow",
+                        "A --> C : fake",
+                        "endnote",
+                        "note left of A : text",
+                        "[*] --> A",
+                        "A --> B : go \\",
+                        "home"))
+                .containsExactlyInAnyOrderElementsOf(plantUml("[*] --> A", "A --> B : go home"));
     }
 
     @Test
