@@ -4,6 +4,8 @@ import com.hivemq.client.mqtt.MqttClient;
 import com.hivemq.client.mqtt.MqttClientBuilder;
 import com.hivemq.client.mqtt.MqttClientExecutorConfig;
 import com.hivemq.client.mqtt.MqttClientSslConfig;
+import com.hivemq.client.mqtt.datatypes.MqttTopic;
+import java.nio.charset.StandardCharsets;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import org.evoloop.mqtt.HiveSession.Setup;
@@ -28,6 +30,14 @@ interface HiveClient {
     CompletableFuture<?> disconnect();
 
     boolean isConnected();
+
+    /** A message from the broker. */
+    static Message received(MqttTopic topic, byte[] payload, boolean retained) {
+        return new Message(
+                topic.toString(),
+                new String(payload, StandardCharsets.UTF_8),
+                retained ? Message.Kind.STATE : Message.Kind.COMMAND);
+    }
 
     /**
      * The settings that both versions have in common.

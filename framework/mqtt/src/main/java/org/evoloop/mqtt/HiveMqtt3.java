@@ -38,10 +38,8 @@ final class HiveMqtt3 implements HiveClient {
         client = builder.buildAsync();
         client.publishes(
                 MqttGlobalPublishFilter.ALL,
-                publish -> incoming.accept(new Message(
-                        publish.getTopic().toString(),
-                        new String(publish.getPayloadAsBytes(), StandardCharsets.UTF_8),
-                        publish.isRetain() ? Message.Kind.STATE : Message.Kind.COMMAND)));
+                publish -> incoming.accept(
+                        HiveClient.received(publish.getTopic(), publish.getPayloadAsBytes(), publish.isRetain())));
     }
 
     private static Mqtt3Publish outgoing(Message message) {

@@ -39,10 +39,8 @@ final class HiveMqtt5 implements HiveClient {
         client = builder.buildAsync();
         client.publishes(
                 MqttGlobalPublishFilter.ALL,
-                publish -> incoming.accept(new Message(
-                        publish.getTopic().toString(),
-                        new String(publish.getPayloadAsBytes(), StandardCharsets.UTF_8),
-                        publish.isRetain() ? Message.Kind.STATE : Message.Kind.COMMAND)));
+                publish -> incoming.accept(
+                        HiveClient.received(publish.getTopic(), publish.getPayloadAsBytes(), publish.isRetain())));
     }
 
     private static Mqtt5Publish outgoing(Message message) {
