@@ -6,15 +6,13 @@ import static org.awaitility.Awaitility.await;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A device that is a program of this computer, and programs that a function runs. */
@@ -44,20 +42,15 @@ class DeviceAsProgramTest {
             ```
             """;
 
+    @RegisterExtension
     private final TypedConsole console = new TypedConsole();
 
     @TempDir
     private Path folder;
 
     @BeforeEach
-    void redirect() throws IOException {
-        console.redirect();
+    void draw() throws IOException {
         Files.writeString(folder.resolve("lamp.md"), MODELS);
-    }
-
-    @AfterEach
-    void restore() {
-        console.restore();
     }
 
     @Test
@@ -75,8 +68,7 @@ class DeviceAsProgramTest {
                 functions:
                   Timed: {on-enter: {run: [touch, %s]}, on-exit: {run: [touch, %s], within: 5 s}}
                 """.formatted(heard, entered, left));
-        CompletableFuture<Integer> status =
-                CompletableFuture.supplyAsync(() -> DeviceProgram.run(file, List.of("--start")));
+        CompletableFuture<Integer> status = console.run(file, "--start");
         console.awaitStatus("link        up");
         console.awaitStatus("lamp, running");
         console.type("press timed");
@@ -84,7 +76,6 @@ class DeviceAsProgramTest {
         console.type("press power");
         await().until(() -> Files.exists(left));
         assertThat(Files.readAllLines(heard)).containsExactly("PWR", "PWR");
-        console.type("exit");
-        assertThat(status.get(30, TimeUnit.SECONDS)).isZero();
+        console.exit(status);
     }
 }

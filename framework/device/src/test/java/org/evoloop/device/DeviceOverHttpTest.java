@@ -18,11 +18,10 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.TimeUnit;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A kettle that has to be asked over HTTP, and a controller that calls this computer. */
@@ -70,7 +69,9 @@ class DeviceOverHttpTest {
               press: [{from: buttons, values: {POST /tea: tea, POST /power: power}}]
             """;
 
+    @RegisterExtension
     private final TypedConsole console = new TypedConsole();
+
     private final List<String> called = new CopyOnWriteArrayList<>();
     private volatile String state = "off";
 
@@ -78,14 +79,8 @@ class DeviceOverHttpTest {
     private Path folder;
 
     @BeforeEach
-    void redirect() throws IOException {
-        console.redirect();
+    void draw() throws IOException {
         Files.writeString(folder.resolve("kettle.md"), MODELS);
-    }
-
-    @AfterEach
-    void restore() {
-        console.restore();
     }
 
     private void answer(HttpExchange exchange) throws IOException {
@@ -113,8 +108,7 @@ class DeviceOverHttpTest {
                                     "DEVICE",
                                     "http://127.0.0.1:" + device.getAddress().getPort())
                             .replace("PORT", "" + port));
-            CompletableFuture<Integer> status =
-                    CompletableFuture.supplyAsync(() -> DeviceProgram.run(file, List.of("--start")));
+            CompletableFuture<Integer> status = console.run(file, "--start");
             console.awaitStatus("temperature 93");
             console.awaitStatus("kettle, running");
             call(port, "/tea");
@@ -122,8 +116,7 @@ class DeviceOverHttpTest {
             assertThat(called).containsExactly("/power abc");
             state = "ready";
             console.awaitHistory("(Heating, Tea) -> (Ready, Ready)");
-            console.type("exit");
-            assertThat(status.get(30, TimeUnit.SECONDS)).isZero();
+            console.exit(status);
         } finally {
             device.stop(0);
         }

@@ -7,16 +7,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import org.evoloop.device.file.DeviceFileException;
 import org.evoloop.mqtt.Mosquitto;
 import org.evoloop.mqtt.Watcher;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A heater behind a real broker, whose device file has 14 lines. */
@@ -69,20 +68,15 @@ class DeviceOverMqttTest {
               press: {topic: remote, json: /action, values: {single: power, hold: quick}}
             """;
 
+    @RegisterExtension
     private final TypedConsole console = new TypedConsole();
 
     @TempDir
     private Path folder;
 
     @BeforeEach
-    void redirect() throws IOException {
-        console.redirect();
+    void draw() throws IOException {
         Files.writeString(folder.resolve("heater.md"), MODELS);
-    }
-
-    @AfterEach
-    void restore() {
-        console.restore();
     }
 
     @Test
@@ -91,8 +85,7 @@ class DeviceOverMqttTest {
                 Watcher watcher = new Watcher(broker)) {
             watcher.publish("heater", "{\"mode\":\"warm\",\"celsius\":40}", true);
             Path file = Files.writeString(folder.resolve("heater.yaml"), HEATER.replace("BROKER", broker.url()));
-            CompletableFuture<Integer> status =
-                    CompletableFuture.supplyAsync(() -> DeviceProgram.run(file, List.of("--start")));
+            CompletableFuture<Integer> status = console.run(file, "--start");
             console.awaitHistory("-> (Warm, Warm)");
 
             watcher.publish("remote", "{\"action\":\"hold\"}", false);
@@ -108,8 +101,7 @@ class DeviceOverMqttTest {
             assertThat(watcher.heard().stream().filter(line -> line.contains("\"press\":\"power\"")))
                     .hasSize(1);
             console.awaitStatus("temperature 91");
-            console.type("exit");
-            assertThat(status.get(30, TimeUnit.SECONDS)).isZero();
+            console.exit(status);
         }
     }
 

@@ -6,13 +6,11 @@ import static org.awaitility.Awaitility.await;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Device files that run as programs, against a device at a TCP port, or played. */
@@ -67,25 +65,20 @@ class DeviceProgramTest {
               hot: {reading: temperature, above: 50}
             """;
 
+    @RegisterExtension
     private final TypedConsole console = new TypedConsole();
 
     @TempDir
     private Path folder;
 
     @BeforeEach
-    void redirect() throws IOException {
-        console.redirect();
+    void draw() throws IOException {
         Files.writeString(folder.resolve("lamp.md"), MODELS);
-    }
-
-    @AfterEach
-    void restore() {
-        console.restore();
     }
 
     private CompletableFuture<Integer> run(String address, String... options) throws IOException {
         Path file = Files.writeString(folder.resolve("lamp.yaml"), LAMP.replace("ADDRESS", address));
-        return CompletableFuture.supplyAsync(() -> DeviceProgram.run(file, List.of(options)));
+        return console.run(file, options);
     }
 
     @Test
@@ -110,8 +103,7 @@ class DeviceProgramTest {
                     .contains("burnt");
             console.type("status");
             await().until(() -> console.printed().contains("temperature 60"));
-            console.type("exit");
-            assertThat(status.get(30, TimeUnit.SECONDS)).isZero();
+            console.exit(status);
         }
     }
 
@@ -125,7 +117,6 @@ class DeviceProgramTest {
         console.awaitHistory("(On, Timed) -> (Off, Off)");
         console.type("press warm");
         console.awaitHistory("warm (controller)");
-        console.type("exit");
-        assertThat(status.get(30, TimeUnit.SECONDS)).isZero();
+        console.exit(status);
     }
 }

@@ -1,5 +1,6 @@
 package org.evoloop.device;
 
+import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
 import java.io.ByteArrayOutputStream;
@@ -8,24 +9,44 @@ import java.io.InputStream;
 import java.io.InterruptedIOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.extension.AfterEachCallback;
+import org.junit.jupiter.api.extension.BeforeEachCallback;
+import org.junit.jupiter.api.extension.ExtensionContext;
 
-/** The standard input and output of a program in this process. */
-final class TypedConsole {
+/** The standard input and output of a program in this process, for the time of a test. */
+final class TypedConsole implements BeforeEachCallback, AfterEachCallback {
     private final InputStream in = System.in;
     private final PrintStream out = System.out;
     private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
     private final BlockingQueue<Byte> typed = new LinkedBlockingQueue<>();
 
-    void redirect() {
+    @Override
+    public void beforeEach(ExtensionContext test) {
         System.setIn(new Typed());
         System.setOut(new PrintStream(printed, true, StandardCharsets.UTF_8));
     }
 
-    void restore() {
+    @Override
+    public void afterEach(ExtensionContext test) {
         System.setIn(in);
         System.setOut(out);
+    }
+
+    /** Runs a device file until it ends; the exit status. */
+    CompletableFuture<Integer> run(Path file, String... options) {
+        return CompletableFuture.supplyAsync(() -> DeviceProgram.run(file, List.of(options)));
+    }
+
+    /** Types {@code exit}, and waits for the program's end. */
+    void exit(CompletableFuture<Integer> status) throws Exception {
+        type("exit");
+        assertThat(status.get(30, TimeUnit.SECONDS)).isZero();
     }
 
     void type(String line) {
