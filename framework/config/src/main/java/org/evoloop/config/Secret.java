@@ -43,16 +43,27 @@ public record Secret(Option<Path> file, String variable) {
     public Optional<String> in(Settings settings) {
         Optional<Path> named = settings.get(file);
         return named.isPresent()
-                ? Optional.of(settings.secret(named.get(), this::read))
+                ? Optional.of(settings.secret(
+                        named.get(), from -> read(from, "--" + file.name() + " is " + from + ", which ")))
                 : Optional.ofNullable(settings.environment().get(variable)).filter(text -> !text.isEmpty());
     }
 
-    private String read(Path from) {
+    /**
+     * The secret in a file that is named elsewhere than by an option.
+     *
+     * @throws IllegalArgumentException if the file cannot be read, or does not hold one
+     */
+    public static String read(Path from) {
+        return read(from, from + " ");
+    }
+
+    /** @param subject of each message */
+    private static String read(Path from, String subject) {
         try {
             byte[] bytes = FileBytes.first(LONGEST + 1, from);
             if (bytes.length > LONGEST) {
-                throw refused(
-                        from, "is larger than " + LONGEST + " bytes; name a file that holds nothing but the secret");
+                throw new IllegalArgumentException(subject + "is larger than " + LONGEST
+                        + " bytes; name a file that holds nothing but the secret");
             }
             String text = StandardCharsets.UTF_8
                     .newDecoder()
@@ -60,18 +71,15 @@ public record Secret(Option<Path> file, String variable) {
                     .toString()
                     .strip();
             if (text.isEmpty()) {
-                throw refused(from, "is empty; write the secret into it");
+                throw new IllegalArgumentException(subject + "is empty; write the secret into it");
             }
             return text;
         } catch (CharacterCodingException otherEncoding) {
-            throw refused(from, "is not text in UTF-8; save it in this encoding");
+            throw new IllegalArgumentException(subject + "is not text in UTF-8; save it in this encoding");
         } catch (IOException unreadable) {
-            throw refused(from, "cannot be read; check that it is there, and that this program's user may read it");
+            throw new IllegalArgumentException(
+                    subject + "cannot be read; check that it is there, and that this program's user may read it");
         }
-    }
-
-    private IllegalArgumentException refused(Path from, String why) {
-        return new IllegalArgumentException("--" + file.name() + " is " + from + ", which " + why);
     }
 
     /** Its origin: {@code (set, from FILE)}; never its value. */

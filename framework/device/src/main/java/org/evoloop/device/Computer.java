@@ -1,6 +1,7 @@
 package org.evoloop.device;
 
-import java.io.IOException;
+import static java.util.Objects.requireNonNull;
+
 import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -47,13 +48,7 @@ final class Computer extends Connection {
     @Override
     public Outward outward(Section action) {
         Run run = run(action);
-        return values -> {
-            SystemEventConverter converter = joined;
-            if (converter == null) {
-                throw new IOException("nothing is run where the device is played");
-            }
-            run.on(converter).run(values);
-        };
+        return values -> run.on(requireNonNull(joined)).run(values);
     }
 
     @Override

@@ -24,16 +24,14 @@ final class Connections {
         Map<String, ConnectionKind> kinds = kinds();
         Connections connections = new Connections();
         file.named("connections").forEach((name, section) -> {
-            List<ConnectionKind> meant = kinds.values().stream()
-                    .filter(kind -> section.has(kind.key()))
-                    .toList();
-            if (meant.size() == 1) {
-                connections.byName.put(name.value(), meant.get(0).read(name.value(), section, models));
-                section.done();
-            } else {
+            ConnectionKind kind = section.oneOf(kinds.keySet(), meant(section, kinds.keySet()))
+                    .map(kinds::get)
+                    .orElse(null);
+            if (kind == null) {
                 connections.refused.add(name.value());
-                section.problem(section.name() + " needs " + (meant.isEmpty() ? "one" : "only one") + " of "
-                        + String.join(", ", kinds.keySet()) + meant(section, kinds.keySet()));
+            } else {
+                connections.byName.put(name.value(), kind.read(name.value(), section, models));
+                section.done();
             }
         });
         return connections;
@@ -55,8 +53,7 @@ final class Connections {
 
     /**
      * The connection that {@code section} names with {@code key}, or the only one if it names none, or this computer if it
-     * says {@code run}; null if there is
-     * none, which is noted.
+     * says {@code run}; null if there is none, which is noted.
      */
     @Nullable
     Connection named(Section section, String key) {

@@ -17,6 +17,7 @@ import org.evoloop.device.file.DeviceFileException;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Problems;
 import org.evoloop.device.file.Section;
+import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.program.ProgramModels;
 import org.evoloop.statemachine.Event;
@@ -222,14 +223,12 @@ public final class DeviceFile {
             for (Node.Text event : send.keys()) {
                 models.sent(event);
                 Node how = send.any(event.value()).orElseThrow();
-                Section section = how instanceof Node.Entries
+                Section asked = how instanceof Node.Entries
                         ? send.section(event.value()).orElseThrow()
-                        : null;
-                Section asked = section == null ? shortForm(send, event, how) : section;
+                        : shortForm(send, event, how);
                 Connection to = asked == null ? null : connections.named(asked, "to");
                 if (asked != null && to != null) {
-                    asked.number("cost", 1, org.evoloop.evolution.DeviceEvents.MAX_COST)
-                            .ifPresent(cost -> costs.put(event.value(), cost));
+                    asked.number("cost", 1, DeviceEvents.MAX_COST).ifPresent(cost -> costs.put(event.value(), cost));
                     to.send(event, asked);
                     asked.done();
                 }

@@ -42,12 +42,9 @@ final class FileKnowledge extends StateKnowledge {
             function.sends().forEach(event -> sends(state, event));
         });
         for (State state : models().evolved().states()) {
-            boolean isThere = content.functions().keySet().stream()
-                    .anyMatch(
-                            named -> models().evolved().alike(new State(named)).contains(state));
             if (models().isNew(state)
-                    && !isThere
-                    && !models().whereDeviceMustBe(state).isEmpty()) {
+                    && !models().whereDeviceMustBe(state).isEmpty()
+                    && !FileModels.isNamed(state, models(), content.functions().keySet())) {
                 function(state.name(), NewFunction.none());
             }
         }

@@ -44,18 +44,16 @@ public final class FileModels {
     /** An event that is sent to the device. */
     public String sent(Node.Text event) {
         sent.add(event.value());
-        if (pair != null) {
-            require(
-                    event,
-                    "an event of the original model",
-                    events(pair.original().triggers()));
-        }
-        return event.value();
+        return ofTheDevice(event);
     }
 
     /** An event that the device raises by itself. */
     public String devicesOwn(Node.Text event) {
         devicesOwn.add(event.value());
+        return ofTheDevice(event);
+    }
+
+    private String ofTheDevice(Node.Text event) {
         if (pair != null) {
             require(
                     event,
@@ -109,10 +107,10 @@ public final class FileModels {
     }
 
     /** A state of the new model that the device does not have. */
-    public String newState(Node.Text state) {
+    void newState(Node.Text state) {
         if (pair == null) {
             problems.at(state, "without models there are no new states; give models first");
-            return state.value();
+            return;
         }
         withFunction.add(state.value());
         List<State> meant = pair.evolved().alike(new State(state.value()));
@@ -121,7 +119,6 @@ public final class FileModels {
         } else if (!pair.isNew(meant.get(0))) {
             problems.at(state, "'" + state + "' is a state of the device, which has no function; only new states have");
         }
-        return state.value();
     }
 
     /** An event that a function sends. */
@@ -192,9 +189,14 @@ public final class FileModels {
                             place, "a control raises '" + event + "', which is not sent" + Names.hint(event, sent)));
             return;
         }
+        checkThatAllIsSent(pair, place);
+        checkFunctions(pair, file.any("functions").orElse(file.node()));
+    }
+
+    private void checkThatAllIsSent(ModelPair known, Node place) {
         Set<String> own = new LinkedHashSet<>(devicesOwn);
-        own.addAll(events(pair.original().spontaneous()));
-        for (String event : events(pair.original().triggers())) {
+        own.addAll(events(known.original().spontaneous()));
+        for (String event : events(known.original().triggers())) {
             boolean isTimed = new Event(event).timeTrigger().isPresent();
             if (!sent.contains(event) && !own.contains(event) && !isTimed) {
                 problems.at(
@@ -203,19 +205,26 @@ public final class FileModels {
                                 + " device.send or, if only the device raises it, under device.does or as spontaneous in the model");
             }
         }
-        for (State state : pair.evolved().states()) {
-            if (pair.isNew(state)
-                    && pair.whereDeviceMustBe(state).isEmpty()
-                    && pair.evolved().timers(state).isEmpty()
-                    && withFunction.stream()
-                            .noneMatch(named ->
-                                    pair.evolved().alike(new State(named)).contains(state))) {
+    }
+
+    private void checkFunctions(ModelPair known, Node place) {
+        for (State state : known.evolved().states()) {
+            if (known.isNew(state)
+                    && known.whereDeviceMustBe(state).isEmpty()
+                    && known.evolved().timers(state).isEmpty()
+                    && !isNamed(state, known, withFunction)) {
                 problems.at(
-                        file.any("functions").orElse(file.node()),
+                        place,
                         "new state '" + state
                                 + "' has no function; add it under functions, with {} if nothing has to run");
             }
         }
+    }
+
+    /** Whether one of {@code names} is that of {@code state}, whatever history it remembers. */
+    static boolean isNamed(State state, ModelPair known, Collection<String> names) {
+        return names.stream()
+                .anyMatch(name -> known.evolved().alike(new State(name)).contains(state));
     }
 
     private void require(Node.Text name, String what, Collection<String> known) {
@@ -241,10 +250,5 @@ public final class FileModels {
     /** The events that the device raises by itself, as the file says. */
     Set<String> allDevicesOwn() {
         return devicesOwn;
-    }
-
-    /** The events of the controller. */
-    Set<String> allPressed() {
-        return pressed;
     }
 }

@@ -2,7 +2,6 @@ package org.evoloop.device;
 
 import java.time.Duration;
 import java.time.LocalTime;
-import java.time.format.DateTimeParseException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -29,15 +28,12 @@ final class FunctionReader {
     FileFunction function(Node.Text state, Section section) {
         List<Action> steps = new ArrayList<>(actions(state, section, "on-enter"));
         steps.addAll(actions(state, section, "steps"));
-        Duration period = section.duration("every").orElse(null);
-        if (period != null && period.isZero()) {
-            section.problem(section.name() + ".every is no time at all; give more than 0 s");
-        }
+        Duration period = section.period("every").orElse(null);
         List<Action> repeated = new ArrayList<>();
         Map<LocalTime, List<Action>> daily = new LinkedHashMap<>();
         for (Section at : section.listed("at")) {
             at.require("time");
-            LocalTime time = at.value("time", FunctionReader::timeOfDay).orElse(null);
+            LocalTime time = at.value("time", Section::timeOfDay).orElse(null);
             Action action = action(state, at);
             at.done();
             if (time != null && action != null) {
@@ -65,14 +61,6 @@ final class FunctionReader {
         return new FileFunction(steps, period, repeated, daily, onExit);
     }
 
-    private static LocalTime timeOfDay(String text) {
-        try {
-            return LocalTime.parse(text);
-        } catch (DateTimeParseException wrong) {
-            throw new IllegalArgumentException("'" + text + "' is no time of day; write it as 07:30");
-        }
-    }
-
     private List<Action> actions(Node.Text state, Section section, String key) {
         List<Action> actions = new ArrayList<>();
         for (Section each : section.listed(key)) {
@@ -91,13 +79,11 @@ final class FunctionReader {
      * @param state whose function it belongs to
      */
     private @Nullable Action action(Node.Text state, Section section) {
-        List<String> given = ACTIONS.stream().filter(section::has).toList();
-        if (given.size() != 1) {
-            section.problem(section.name() + " needs " + (given.isEmpty() ? "one" : "only one") + " of "
-                    + String.join(", ", ACTIONS));
+        String kind = section.oneOf(ACTIONS).orElse(null);
+        if (kind == null) {
             return null;
         }
-        return switch (given.get(0)) {
+        return switch (kind) {
             case "send" ->
                 section.text("send")
                         .map(event -> new Action.Send(models.functionSends(event)))

@@ -35,15 +35,8 @@ final class Guards {
         Guards guards = new Guards();
         file.named("guards").forEach((text, section) -> {
             models.guard(text);
-            List<String> given = List.of("between", "reading", "value").stream()
-                    .filter(section::has)
-                    .toList();
-            if (given.size() == 1) {
-                guards.byText.put(text.value(), guards.guard(given.get(0), section));
-            } else {
-                section.problem(section.name() + " needs " + (given.isEmpty() ? "one" : "only one")
-                        + " of between, reading, value");
-            }
+            section.oneOf(List.of("between", "reading", "value"))
+                    .ifPresent(kind -> guards.byText.put(text.value(), guards.guard(kind, section)));
             section.done();
         });
         return guards;
@@ -80,9 +73,9 @@ final class Guards {
         List<LocalTime> times = new ArrayList<>();
         section.texts("between").forEach(text -> {
             try {
-                times.add(LocalTime.parse(text.value()));
-            } catch (java.time.format.DateTimeParseException wrong) {
-                section.problems().at(text, "'" + text + "' is no time of day; write it as 07:30");
+                times.add(Section.timeOfDay(text.value()));
+            } catch (IllegalArgumentException wrong) {
+                section.problems().at(text, String.valueOf(wrong.getMessage()));
             }
         });
         if (times.size() != 2 && section.texts("between").size() != 2) {

@@ -7,7 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.evoloop.converter.EventMonitor;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
@@ -20,7 +21,7 @@ import org.jspecify.annotations.Nullable;
 
 /** A device that answers HTTP requests, made of a {@link HttpPoll} and a {@link HttpExecute}. */
 final class HttpFileConnection extends Connection {
-    private static final String CALL = "(?<method>GET|POST|PUT) (?<path>/\\S*)";
+    private static final Pattern CALL = Pattern.compile("(?<method>GET|POST|PUT) (?<path>/\\S*)");
 
     private final FileModels models;
     private final @Nullable String base;
@@ -41,12 +42,9 @@ final class HttpFileConnection extends Connection {
         this.headers = new LinkedHashMap<>();
         section.pairs("headers").forEach((key, value) -> headers.put(key.value(), value.value()));
         this.within = section.duration("within").orElse(Duration.ofSeconds(2));
-        this.every = section.duration("every").orElse(Duration.ofSeconds(5));
+        this.every = section.period("every").orElse(Duration.ofSeconds(5));
         this.downAfter = section.number("down-after", 1, 1000).orElse(3);
         this.question = section.value("poll", path -> call("GET " + path, "")).orElse(null);
-        if (every.isZero()) {
-            section.problem(section.name() + ".every is no time at all; give more than 0 s");
-        }
     }
 
     static HttpFileConnection read(String name, Section section, FileModels models) {
@@ -61,7 +59,7 @@ final class HttpFileConnection extends Connection {
 
     /** @throws IllegalArgumentException if it is no request */
     private HttpCall call(String text, String body) {
-        var parts = java.util.regex.Pattern.compile(CALL).matcher(text);
+        Matcher parts = CALL.matcher(text);
         if (!parts.matches()) {
             throw new IllegalArgumentException("'" + text + "' is no request; write one such as POST /power");
         }
@@ -148,8 +146,7 @@ final class HttpFileConnection extends Connection {
             execute.ifPresent(sender -> sender.readyAfter(pause, converter.clock()));
         }
         if (question == null) {
-            return new Parts(
-                    List.of(), List.copyOf(execute.stream().toList()), execute.orElse(null), () -> {}, () -> {});
+            return new Parts(List.of(), execute.stream().toList(), execute.orElse(null), () -> {}, () -> {});
         }
         HttpPoll poll = new HttpPoll(name(), converter, question, every, within).downAfter(downAfter);
         rules.forEach(rule -> rule.accept(poll));
@@ -160,7 +157,6 @@ final class HttpFileConnection extends Connection {
                 sender.asking(question, meanings);
             }
         });
-        List<EventMonitor> monitors = List.of(poll);
-        return new Parts(monitors, List.copyOf(execute.stream().toList()), poll, poll::open, poll::close);
+        return new Parts(List.of(poll), execute.stream().toList(), poll, poll::open, poll::close);
     }
 }

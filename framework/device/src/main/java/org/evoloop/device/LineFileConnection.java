@@ -1,6 +1,7 @@
 package org.evoloop.device;
 
-import java.io.IOException;
+import static java.util.Objects.requireNonNull;
+
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -89,22 +90,12 @@ final class LineFileConnection extends Connection {
 
     @Override
     public void does(Section rule) {
-        rule.pairs("values").forEach((line, event) -> {
-            Pattern exactly = Pattern.compile(Pattern.quote(line.value()));
-            String name = models.devicesOwn(event);
-            rules.add(monitor -> monitor.device(exactly, name));
-        });
-        pattern(rule, models::devicesOwn, LineMonitor::device);
+        events(rule, models::devicesOwn, LineMonitor::device);
     }
 
     @Override
     public void press(Section rule) {
-        rule.pairs("values").forEach((line, event) -> {
-            Pattern exactly = Pattern.compile(Pattern.quote(line.value()));
-            String name = models.pressed(event);
-            rules.add(monitor -> monitor.controller(exactly, name));
-        });
-        pattern(rule, models::pressed, LineMonitor::controller);
+        events(rule, models::pressed, LineMonitor::controller);
     }
 
     /** Adds a rule to a monitor. */
@@ -112,8 +103,13 @@ final class LineFileConnection extends Connection {
         LineMonitor to(LineMonitor monitor, Pattern line, String event);
     }
 
-    /** The form {@code {line: PATTERN, event: EVENT}}. */
-    private void pattern(Section rule, Function<Node.Text, String> known, Adding adding) {
+    /** The forms {@code {values: {LINE: EVENT}}} and {@code {line: PATTERN, event: EVENT}}. */
+    private void events(Section rule, Function<Node.Text, String> known, Adding adding) {
+        rule.pairs("values").forEach((line, event) -> {
+            Pattern exactly = Pattern.compile(Pattern.quote(line.value()));
+            String name = known.apply(event);
+            rules.add(monitor -> adding.to(monitor, exactly, name));
+        });
         if (!rule.has("values") || rule.has("line") || rule.has("event")) {
             rule.require("line");
             Pattern line = rule.pattern("line").orElse(null);
@@ -165,15 +161,7 @@ final class LineFileConnection extends Connection {
     @Override
     public @Nullable Outward outward(Section action) {
         String line = action.need("line").flatMap(text -> oneLine(action, text)).orElse(null);
-        return line == null ? null : values -> send(line);
-    }
-
-    private void send(String line) throws IOException {
-        LineConnection open = opened;
-        if (open == null) {
-            throw new IOException("there is no connection " + name() + " here");
-        }
-        open.send(line);
+        return line == null ? null : values -> requireNonNull(opened).send(line);
     }
 
     @Override
@@ -192,6 +180,6 @@ final class LineFileConnection extends Connection {
             duties.forEach(each -> each.accept(execute));
             executes.add(execute);
         }
-        return new Parts(List.of(monitor), List.copyOf(executes), connection, connection::open, connection::close);
+        return new Parts(List.of(monitor), executes, connection, connection::open, connection::close);
     }
 }

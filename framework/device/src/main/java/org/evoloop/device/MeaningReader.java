@@ -33,14 +33,9 @@ final class MeaningReader {
      */
     static Meanings read(Section rule, String one, Function<Node.Text, String> known) {
         Part part = part(rule).orElse(Part.WHOLE);
-        List<String> given = FORMS.stream().filter(rule::has).toList();
-        if (given.size() != 1) {
-            rule.problem(rule.name() + " needs " + (given.isEmpty() ? "one" : "only one") + " of "
-                    + String.join(", ", FORMS));
-            return Meanings.NONE;
-        }
+        String form = rule.oneOf(FORMS).orElse("");
         Meanings meanings = Meanings.NONE;
-        switch (given.get(0)) {
+        switch (form) {
             case "values" -> {
                 for (Map.Entry<Node.Text, Node.Text> pair : rule.pairs("values").entrySet()) {
                     meanings =
@@ -54,7 +49,7 @@ final class MeaningReader {
                     meanings = meanings.with(Match.matching(pattern).in(part), name);
                 }
             }
-            default -> {
+            case "ranges" -> {
                 for (Map.Entry<Node.Text, Node.Text> pair : rule.pairs("ranges").entrySet()) {
                     Match match = range(rule, pair.getValue());
                     String name = known.apply(pair.getKey());
@@ -63,6 +58,7 @@ final class MeaningReader {
                     }
                 }
             }
+            default -> {}
         }
         return meanings;
     }

@@ -1,8 +1,8 @@
 package org.evoloop.device;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import org.evoloop.config.Secret;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
@@ -55,7 +56,8 @@ final class MqttFileConnection extends Connection {
 
     static MqttFileConnection read(String name, Section section, FileModels models) {
         BrokerAddress address = section.value("mqtt", BrokerAddress::parse).orElse(null);
-        Optional<String> password = section.value("password-file", file -> secret(section, file));
+        Optional<String> password = section.value(
+                "password-file", file -> Secret.read(section.problems().file().resolveSibling(file)));
         if (address != null && password.isPresent()) {
             address = address.withPassword(password.get());
         }
@@ -73,20 +75,6 @@ final class MqttFileConnection extends Connection {
             }
         });
         return connection;
-    }
-
-    private static String secret(Section section, String file) {
-        Path path = section.problems().file().resolveSibling(file);
-        try {
-            String text = Files.readString(path).strip();
-            if (text.isEmpty()) {
-                throw new IllegalArgumentException(path + " is empty; write the password into it");
-            }
-            return text;
-        } catch (IOException unreadable) {
-            throw new IllegalArgumentException(
-                    path + " cannot be read; check that it is there, and that this program's user may read it");
-        }
     }
 
     /** A topic; null if there is none. One that is refused is returned all the same, so that nothing else is missing. */
@@ -118,14 +106,9 @@ final class MqttFileConnection extends Connection {
         if (topic == null && !how.has("topic")) {
             how.problem(how.name() + " needs topic; or give the connection " + name() + " a command-topic");
         }
-        Optional<String> payload = how.need("payload").flatMap(text -> {
-            try {
-                return Optional.of(Template.of(text.value()).toString());
-            } catch (IllegalArgumentException wrong) {
-                how.problems().at(text, "payload: " + wrong.getMessage());
-                return Optional.empty();
-            }
-        });
+        how.require("payload");
+        Optional<String> payload =
+                how.value("payload", text -> Template.of(text).toString());
         return topic == null ? Optional.empty() : payload.map(text -> Message.command(topic, text));
     }
 
@@ -217,8 +200,8 @@ final class MqttFileConnection extends Connection {
         return message == null
                 ? null
                 : values -> {
-                    BrokerConnection open = opened;
-                    if (open == null || !open.isUp()) {
+                    BrokerConnection open = requireNonNull(opened);
+                    if (!open.isUp()) {
                         throw new IOException("the broker cannot be reached");
                     }
                     open.publish(new Message(
@@ -244,6 +227,6 @@ final class MqttFileConnection extends Connection {
             duties.forEach(each -> each.accept(execute));
             executes.add(execute);
         }
-        return new Parts(List.of(monitor), List.copyOf(executes), device, connection::open, connection::close);
+        return new Parts(List.of(monitor), executes, device, connection::open, connection::close);
     }
 }

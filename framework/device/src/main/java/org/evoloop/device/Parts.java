@@ -18,8 +18,8 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public record Parts(
-        List<EventMonitor> monitors,
-        List<EventExecute> executes,
+        List<? extends EventMonitor> monitors,
+        List<? extends EventExecute> executes,
         @Nullable DeviceLink link,
         Opening open,
         Runnable close) {

@@ -2,7 +2,10 @@ package org.evoloop.device.file;
 
 import java.nio.file.Path;
 import java.time.Duration;
+import java.time.LocalTime;
+import java.time.format.DateTimeParseException;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -182,6 +185,43 @@ public final class Section {
             }
             return Integer.parseInt(text);
         });
+    }
+
+    /** A duration of more than nothing. */
+    public Optional<Duration> period(String key) {
+        Optional<Duration> time = duration(key);
+        if (time.isPresent() && time.get().isZero()) {
+            problem(path(key) + " is no time at all; give more than 0 s");
+        }
+        return time;
+    }
+
+    /**
+     * A time of day.
+     *
+     * @throws IllegalArgumentException if the text is none
+     */
+    public static LocalTime timeOfDay(String text) {
+        try {
+            return LocalTime.parse(text);
+        } catch (DateTimeParseException wrong) {
+            throw new IllegalArgumentException("'" + text + "' is no time of day; write it as 07:30");
+        }
+    }
+
+    /** The one of {@code keys} that is there; none and more than one are mistakes. */
+    public Optional<String> oneOf(Collection<String> keys) {
+        return oneOf(keys, "");
+    }
+
+    /** As {@link #oneOf(Collection)}, with {@code hint} behind the mistake. */
+    public Optional<String> oneOf(Collection<String> keys, String hint) {
+        List<String> given = keys.stream().filter(this::has).toList();
+        if (given.size() == 1) {
+            return Optional.of(given.get(0));
+        }
+        problem(name + " needs " + (given.isEmpty() ? "one" : "only one") + " of " + String.join(", ", keys) + hint);
+        return Optional.empty();
     }
 
     /** {@code true} or {@code false}. */
