@@ -1,5 +1,5 @@
 /*
- * The converter's core, as org.evoloop.core.Core has it: each of its inputs is an inline of the same name, and each is a
+ * The converter's core, as org.evoloop.engine.Core has it: each of its inputs is an inline of the same name, and each is a
  * deterministic function of the state. Visits and steps have no numbers here: the state only records whether a visit is the
  * present one, and whether a step has been sent since.
  *

@@ -1,5 +1,5 @@
 /*
- * The inputs of the core, see org.evoloop.core.Inputs. Each is one atomic step (TELL). To remove a mechanism, define its
+ * The inputs of the core, see org.evoloop.engine.Inputs. Each is one atomic step (TELL). To remove a mechanism, define its
  * name, which is that of a Mutation in the core's own tests, or of one in docs/proof.md.
  */
 

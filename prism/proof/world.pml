@@ -1,7 +1,7 @@
 /*
  * The environment of a core: the real device, its adapter, the components of the loop, and all faults. Actions that may occur
  * without limit are processes under weak fairness; the number of all others is bounded (PRESSES and so on). See
- * org.evoloop.core.Moves and its neighbours in the core's tests for the same world.
+ * org.evoloop.engine.Moves and its neighbours in the core's tests for the same world.
  */
 
 #define CLOSED 0

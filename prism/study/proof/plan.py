@@ -151,7 +151,7 @@ class Mutant:
     acts: Acts
     adapter: Adapter = BEST
     in_core: bool = True
-    """Whether org.evoloop.core's own tests have the same mutation, and a trail shows that it makes a difference."""
+    """Whether org.evoloop.engine's own tests have the same mutation, and a trail shows that it makes a difference."""
 
 
 MUTANTS = (

@@ -97,7 +97,7 @@ def _conformance(conformance: list[Row]) -> str:
     rows = [(pair, told, traces, f"{inputs:,}", equal) for pair, told, traces, inputs, equal in conformance]
     return f"""### The code and the specification
 
-The real core (`org.evoloop.core.Core`) and the specification get the same random inputs, in any order; after each, their complete
+The real core (`org.evoloop.engine.Core`) and the specification get the same random inputs, in any order; after each, their complete
 states are compared: record, doubt, visit, plan, and every waiting occurrence. The same is done with the inputs in the journals of
 runs of the whole converter, with its threads: events of a controller, actions of the device, steps that fail or whose effect is
 unknown, timers, stops, crashes and swaps.

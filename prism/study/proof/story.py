@@ -1,4 +1,4 @@
-"""A Spin trail as a story in words, which the core's tests read (org.evoloop.core.Trail)."""
+"""A Spin trail as a story in words, which the core's tests read (org.evoloop.engine.Trail)."""
 
 from study.proof.sequence import Names
 

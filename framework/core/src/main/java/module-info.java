@@ -8,8 +8,8 @@ module org.evoloop.core {
     requires org.slf4j;
 
     exports org.evoloop.converter;
-    exports org.evoloop.core;
-    exports org.evoloop.core.text;
+    exports org.evoloop.engine;
+    exports org.evoloop.engine.codec;
     exports org.evoloop.evolution;
     exports org.evoloop.function;
     exports org.evoloop.loop;

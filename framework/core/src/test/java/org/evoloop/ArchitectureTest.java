@@ -46,8 +46,8 @@ class ArchitectureTest {
             .definedBy("org.evoloop.evolution..")
             .layer("migration")
             .definedBy("org.evoloop.migration..")
-            .layer("core")
-            .definedBy("org.evoloop.core..")
+            .layer("engine")
+            .definedBy("org.evoloop.engine..")
             .layer("loop")
             .definedBy("org.evoloop.loop..")
             .layer("function")
@@ -64,7 +64,7 @@ class ArchitectureTest {
             .mayOnlyAccessLayers("statemachine")
             .whereLayer("migration")
             .mayOnlyAccessLayers("evolution", "statemachine")
-            .whereLayer("core")
+            .whereLayer("engine")
             .mayOnlyAccessLayers("migration", "evolution", "statemachine")
             .whereLayer("loop")
             .mayOnlyAccessLayers("time", "flight")
@@ -72,7 +72,7 @@ class ArchitectureTest {
             .mayOnlyAccessLayers("evolution", "loop", "time", "statemachine")
             .whereLayer("converter")
             .mayOnlyAccessLayers(
-                    "core", "migration", "loop", "function", "flight", "evolution", "time", "statemachine");
+                    "engine", "migration", "loop", "function", "flight", "evolution", "time", "statemachine");
 
     @ArchTest
     static final ArchRule noRoomsLeadInACircle =
@@ -106,7 +106,7 @@ class ArchitectureTest {
      */
     @ArchTest
     static final ArchRule theCoreIsDeterministic = noClasses()
-            .that(resideInAPackage("org.evoloop.core.."))
+            .that(resideInAPackage("org.evoloop.engine.."))
             .should()
             .dependOnClassesThat()
             .resideInAnyPackage(

@@ -24,7 +24,7 @@ class EventPathTest {
 
     private static final JavaClasses CLASSES = new ClassFileImporter()
             .withImportOption(new ImportOption.DoNotIncludeTests())
-            .importPackages("org.evoloop.loop", "org.evoloop.converter", "org.evoloop.core");
+            .importPackages("org.evoloop.loop", "org.evoloop.converter", "org.evoloop.engine");
 
     private final List<JavaClass> path = path();
 

@@ -8,7 +8,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.check.timing.TimeRules;
 import org.evoloop.check.timing.TimeWatch;
-import org.evoloop.core.Sentry;
+import org.evoloop.engine.Sentry;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.ModelException;

@@ -1,6 +1,6 @@
 package org.evoloop.fleet.device;
 
-import org.evoloop.core.Output;
+import org.evoloop.engine.Output;
 
 /**
  * Receives the results of a {@link Device}, in order.

@@ -1,6 +1,6 @@
 package org.evoloop.fleet.device;
 
-import org.evoloop.core.Snapshot;
+import org.evoloop.engine.Snapshot;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -5,9 +5,9 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.function.Function;
-import org.evoloop.core.Rules;
-import org.evoloop.core.text.SnapshotBytes;
-import org.evoloop.core.text.SnapshotException;
+import org.evoloop.engine.Rules;
+import org.evoloop.engine.codec.SnapshotBytes;
+import org.evoloop.engine.codec.SnapshotException;
 import org.jspecify.annotations.Nullable;
 
 /**

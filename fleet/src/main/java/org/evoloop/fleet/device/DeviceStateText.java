@@ -2,9 +2,9 @@ package org.evoloop.fleet.device;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
-import org.evoloop.core.Rules;
-import org.evoloop.core.text.SnapshotException;
-import org.evoloop.core.text.SnapshotText;
+import org.evoloop.engine.Rules;
+import org.evoloop.engine.codec.SnapshotException;
+import org.evoloop.engine.codec.SnapshotText;
 import org.jspecify.annotations.Nullable;
 
 /**

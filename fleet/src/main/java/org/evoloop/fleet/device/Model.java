@@ -1,7 +1,7 @@
 package org.evoloop.fleet.device;
 
-import org.evoloop.core.Rules;
-import org.evoloop.core.Swap;
+import org.evoloop.engine.Rules;
+import org.evoloop.engine.Swap;
 import org.evoloop.migration.Mapping;
 
 /**

@@ -2,9 +2,9 @@ package org.evoloop.fleet.wire;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.evoloop.core.Outcome;
-import org.evoloop.core.Output;
-import org.evoloop.core.Snapshot;
+import org.evoloop.engine.Outcome;
+import org.evoloop.engine.Output;
+import org.evoloop.engine.Snapshot;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.fleet.device.DeviceListener;
 import org.evoloop.fleet.device.DeviceState;

@@ -16,7 +16,7 @@ class ArchitectureTest {
             .resideInAPackage("org.evoloop.check")
             .should()
             .dependOnClassesThat()
-            .resideInAnyPackage("org.evoloop.check.temporal..", "org.evoloop.core..");
+            .resideInAnyPackage("org.evoloop.check.temporal..", "org.evoloop.engine..");
 
     @ArchTest
     static final ArchRule nothingIsReadOrWritten = noClasses()

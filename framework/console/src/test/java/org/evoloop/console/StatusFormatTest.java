@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import org.evoloop.converter.ConverterStatus;
 import org.evoloop.converter.HistoryEntry;
-import org.evoloop.core.Outcome;
+import org.evoloop.engine.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;

@@ -19,7 +19,7 @@ import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.converter.UnknownEffectException;
-import org.evoloop.core.Outcome;
+import org.evoloop.engine.Outcome;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;

@@ -2,7 +2,7 @@ package org.evoloop.converter;
 
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicIntegerFieldUpdater;
-import org.evoloop.core.Output;
+import org.evoloop.engine.Output;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,9 +1,9 @@
 package org.evoloop.converter;
 
-import org.evoloop.core.Input;
-import org.evoloop.core.Inputs;
-import org.evoloop.core.Output;
-import org.evoloop.core.Pending;
+import org.evoloop.engine.Input;
+import org.evoloop.engine.Inputs;
+import org.evoloop.engine.Output;
+import org.evoloop.engine.Pending;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;

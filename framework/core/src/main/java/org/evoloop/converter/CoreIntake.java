@@ -1,9 +1,9 @@
 package org.evoloop.converter;
 
-import org.evoloop.core.Core;
-import org.evoloop.core.Inputs;
-import org.evoloop.core.Pending;
-import org.evoloop.core.Tally;
+import org.evoloop.engine.Core;
+import org.evoloop.engine.Inputs;
+import org.evoloop.engine.Pending;
+import org.evoloop.engine.Tally;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.loop.Intake;

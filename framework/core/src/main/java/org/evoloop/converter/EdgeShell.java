@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Supplier;
-import org.evoloop.core.Output;
+import org.evoloop.engine.Output;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Occurrence;

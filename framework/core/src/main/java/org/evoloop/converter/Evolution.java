@@ -4,7 +4,7 @@ import static java.util.Objects.requireNonNull;
 
 import java.time.Duration;
 import java.util.List;
-import org.evoloop.core.Output;
+import org.evoloop.engine.Output;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
 import org.evoloop.migration.Carried;

@@ -1,7 +1,7 @@
 package org.evoloop.converter;
 
 import java.util.Locale;
-import org.evoloop.core.Outcome;
+import org.evoloop.engine.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.flight.ConversionEvent;

@@ -2,7 +2,7 @@ package org.evoloop.converter;
 
 import java.time.Duration;
 import java.time.Instant;
-import org.evoloop.core.Outcome;
+import org.evoloop.engine.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;

@@ -1,9 +1,9 @@
 package org.evoloop.converter;
 
-import org.evoloop.core.Input;
-import org.evoloop.core.Inputs;
-import org.evoloop.core.Rules;
-import org.evoloop.core.Swap;
+import org.evoloop.engine.Input;
+import org.evoloop.engine.Inputs;
+import org.evoloop.engine.Rules;
+import org.evoloop.engine.Swap;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.statemachine.Event;

@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.function.Supplier;
-import org.evoloop.core.Sentry;
+import org.evoloop.engine.Sentry;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.loop.Component;

@@ -1,7 +1,7 @@
 package org.evoloop.converter;
 
 import java.util.function.Consumer;
-import org.evoloop.core.Outcome;
+import org.evoloop.engine.Outcome;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.loop.LoopConfig;

@@ -1,9 +1,9 @@
 package org.evoloop.rehearsal;
 
 import java.util.Map;
-import org.evoloop.core.Core;
-import org.evoloop.core.Pending;
-import org.evoloop.core.Tally;
+import org.evoloop.engine.Core;
+import org.evoloop.engine.Pending;
+import org.evoloop.engine.Tally;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;

@@ -2,8 +2,8 @@ package org.evoloop.rehearsal;
 
 import java.util.List;
 import java.util.Set;
-import org.evoloop.core.Outcome;
-import org.evoloop.core.Output;
+import org.evoloop.engine.Outcome;
+import org.evoloop.engine.Output;
 import org.evoloop.evolution.BrokenPlan;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Step;

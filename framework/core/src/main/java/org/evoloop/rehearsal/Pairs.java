@@ -4,9 +4,9 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
-import org.evoloop.core.Core;
-import org.evoloop.core.Pending;
-import org.evoloop.core.Snapshot;
+import org.evoloop.engine.Core;
+import org.evoloop.engine.Pending;
+import org.evoloop.engine.Snapshot;
 import org.jspecify.annotations.Nullable;
 
 /** The occurrences of a converter, by number, with the numbers that other models have for them. */

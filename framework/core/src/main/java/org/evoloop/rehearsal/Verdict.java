@@ -1,7 +1,7 @@
 package org.evoloop.rehearsal;
 
 import java.util.List;
-import org.evoloop.core.Outcome;
+import org.evoloop.engine.Outcome;
 import org.evoloop.evolution.Configuration;
 
 /**

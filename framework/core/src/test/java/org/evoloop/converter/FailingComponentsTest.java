@@ -13,7 +13,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicReference;
-import org.evoloop.core.Outcome;
+import org.evoloop.engine.Outcome;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.ComponentStatus.Activity;

@@ -10,7 +10,7 @@ import static org.evoloop.converter.Robot.at;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
-import org.evoloop.core.Outcome;
+import org.evoloop.engine.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.function.NewFunction;
 import org.evoloop.function.Visit;

@@ -6,7 +6,7 @@ import static org.evoloop.converter.Robot.at;
 
 import java.io.IOException;
 import java.util.Set;
-import org.evoloop.core.Outcome;
+import org.evoloop.engine.Outcome;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.OnFailure;
 import org.evoloop.evolution.Step;

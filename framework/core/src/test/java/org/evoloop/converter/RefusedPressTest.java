@@ -15,7 +15,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import org.evoloop.PaperModels;
 import org.evoloop.RecordingExecute;
-import org.evoloop.core.Outcome;
+import org.evoloop.engine.Outcome;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;

@@ -8,7 +8,7 @@ import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.AppenderBase;
 import java.time.Duration;
 import java.util.concurrent.CountDownLatch;
-import org.evoloop.core.Outcome;
+import org.evoloop.engine.Outcome;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.AfterEach;

@@ -10,7 +10,7 @@ import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.LinkedBlockingQueue;
-import org.evoloop.core.Outcome;
+import org.evoloop.engine.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Step;

@@ -6,7 +6,7 @@ import static org.evoloop.Machines.machine;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
-import org.evoloop.core.RandomPair;
+import org.evoloop.engine.RandomPair;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.DeviceEvents;

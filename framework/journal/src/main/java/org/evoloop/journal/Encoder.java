@@ -2,10 +2,10 @@ package org.evoloop.journal;
 
 import java.util.List;
 import java.util.Map;
-import org.evoloop.core.Inputs;
-import org.evoloop.core.Rules;
-import org.evoloop.core.Swap;
-import org.evoloop.core.text.DecisionKind;
+import org.evoloop.engine.Inputs;
+import org.evoloop.engine.Rules;
+import org.evoloop.engine.Swap;
+import org.evoloop.engine.codec.DecisionKind;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;

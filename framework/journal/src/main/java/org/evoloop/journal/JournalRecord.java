@@ -2,7 +2,7 @@ package org.evoloop.journal;
 
 import java.time.Instant;
 import java.util.List;
-import org.evoloop.core.Input;
+import org.evoloop.engine.Input;
 import org.evoloop.evolution.Configuration;
 
 /**

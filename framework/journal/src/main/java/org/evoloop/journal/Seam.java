@@ -1,12 +1,12 @@
 package org.evoloop.journal;
 
 import java.util.List;
-import org.evoloop.core.Core;
-import org.evoloop.core.Outputs;
-import org.evoloop.core.Pending;
-import org.evoloop.core.Rules;
-import org.evoloop.core.Snapshot;
-import org.evoloop.core.Work;
+import org.evoloop.engine.Core;
+import org.evoloop.engine.Outputs;
+import org.evoloop.engine.Pending;
+import org.evoloop.engine.Rules;
+import org.evoloop.engine.Snapshot;
+import org.evoloop.engine.Work;
 
 /**
  * Where one segment of a journal ends and the next begins.

@@ -3,9 +3,9 @@ package org.evoloop.journal;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import org.evoloop.core.Input;
-import org.evoloop.core.Rules;
-import org.evoloop.core.Snapshot;
+import org.evoloop.engine.Input;
+import org.evoloop.engine.Rules;
+import org.evoloop.engine.Snapshot;
 
 /**
  * The inputs of a converter in one segment.

@@ -3,13 +3,13 @@ package org.evoloop.journal;
 import static java.util.Objects.requireNonNull;
 
 import java.nio.file.Path;
-import org.evoloop.core.Core;
-import org.evoloop.core.Input;
-import org.evoloop.core.Outputs;
-import org.evoloop.core.Rules;
-import org.evoloop.core.Snapshot;
-import org.evoloop.core.text.SnapshotException;
-import org.evoloop.core.text.SnapshotText;
+import org.evoloop.engine.Core;
+import org.evoloop.engine.Input;
+import org.evoloop.engine.Outputs;
+import org.evoloop.engine.Rules;
+import org.evoloop.engine.Snapshot;
+import org.evoloop.engine.codec.SnapshotException;
+import org.evoloop.engine.codec.SnapshotText;
 import org.jspecify.annotations.Nullable;
 
 /** Replays a segment on a core of its own, with the models that the segment contains. */

@@ -3,9 +3,9 @@ package org.evoloop.journal;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import org.evoloop.core.Core;
-import org.evoloop.core.Input;
-import org.evoloop.core.Output;
+import org.evoloop.engine.Core;
+import org.evoloop.engine.Input;
+import org.evoloop.engine.Output;
 import org.evoloop.journal.JournalFiles.SegmentInfo;
 
 /** The records of one segment, in order, and the converter's states at each. */

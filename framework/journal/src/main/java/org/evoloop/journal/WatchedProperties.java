@@ -5,7 +5,7 @@ import java.util.List;
 import org.evoloop.check.temporal.Property;
 import org.evoloop.check.temporal.PropertyWatch;
 import org.evoloop.check.temporal.PropertyWatch.Standing;
-import org.evoloop.core.Output;
+import org.evoloop.engine.Output;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Occurrence;

@@ -10,12 +10,12 @@ import java.util.List;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import org.evoloop.converter.ConverterJournal.Past;
-import org.evoloop.core.Core;
-import org.evoloop.core.Input;
-import org.evoloop.core.Inputs;
-import org.evoloop.core.Output;
-import org.evoloop.core.Rules;
-import org.evoloop.core.Snapshot;
+import org.evoloop.engine.Core;
+import org.evoloop.engine.Input;
+import org.evoloop.engine.Inputs;
+import org.evoloop.engine.Output;
+import org.evoloop.engine.Rules;
+import org.evoloop.engine.Snapshot;
 import org.evoloop.time.ManualClock;
 
 /** A core with a journal in a directory, with access to the journal's files. */

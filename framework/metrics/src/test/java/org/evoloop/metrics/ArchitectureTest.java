@@ -15,7 +15,7 @@ class ArchitectureTest {
             .should()
             .dependOnClassesThat()
             .resideInAnyPackage(
-                    "org.evoloop.core..", "org.evoloop.statemachine..", "org.evoloop.evolution..", "java.io..");
+                    "org.evoloop.engine..", "org.evoloop.statemachine..", "org.evoloop.evolution..", "java.io..");
 
     @ArchTest
     static final ArchRule registriesAreNotKnownToTheFigures = noClasses()

@@ -3,7 +3,7 @@ package org.evoloop.page;
 import java.util.Locale;
 import org.evoloop.console.JsonObject;
 import org.evoloop.converter.HistoryEntry;
-import org.evoloop.core.text.DecisionKind;
+import org.evoloop.engine.codec.DecisionKind;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Step;

@@ -10,7 +10,7 @@ import org.evoloop.RecordingExecute;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
-import org.evoloop.core.Outcome;
+import org.evoloop.engine.Outcome;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Values;
 import org.evoloop.statemachine.StateMachine;

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.function.UnaryOperator;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.converter.StateKnowledge;
-import org.evoloop.core.Outcome;
+import org.evoloop.engine.Outcome;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Source;
 import org.evoloop.statemachine.StateMachine;

@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.evoloop.check.PairGraph;
-import org.evoloop.core.Outcome;
+import org.evoloop.engine.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.DecisionTable;
@@ -119,7 +119,7 @@ public final class PropertyWatch {
     }
 
     /**
-     * An occurrence has ended, as reported by {@link org.evoloop.core.Outputs#ended}. An event that was ignored, came
+     * An occurrence has ended, as reported by {@link org.evoloop.engine.Outputs#ended}. An event that was ignored, came
      * too late, was lost or failed has not happened, unless it has changed a state all the same.
      *
      * @param after the states of device and evolved system then

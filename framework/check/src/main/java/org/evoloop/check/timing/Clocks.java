@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.evoloop.check.temporal.Formula;
-import org.evoloop.core.Rules;
+import org.evoloop.engine.Rules;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
 import org.evoloop.check.timing.Moves.Move;
-import org.evoloop.core.Rules;
+import org.evoloop.engine.Rules;
 import org.evoloop.statemachine.Event;
 
 /**

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.evoloop.check.timing.Situation.Branch;
-import org.evoloop.core.Rules;
+import org.evoloop.engine.Rules;
 import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;

@@ -1,8 +1,8 @@
 package org.evoloop.check.timing;
 
 import java.util.List;
-import org.evoloop.core.Snapshot;
-import org.evoloop.core.Work;
+import org.evoloop.engine.Snapshot;
+import org.evoloop.engine.Work;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Step;

@@ -8,9 +8,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.evoloop.check.timing.Situation.Branch;
-import org.evoloop.core.Core;
-import org.evoloop.core.Rules;
-import org.evoloop.core.Snapshot;
+import org.evoloop.engine.Core;
+import org.evoloop.engine.Rules;
+import org.evoloop.engine.Snapshot;
 import org.evoloop.statemachine.Event;
 
 /**

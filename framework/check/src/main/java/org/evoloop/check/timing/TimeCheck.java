@@ -13,7 +13,7 @@ import org.evoloop.check.FunctionSends;
 import org.evoloop.check.Rule;
 import org.evoloop.check.TimedEvent;
 import org.evoloop.check.temporal.Formula;
-import org.evoloop.core.Rules;
+import org.evoloop.engine.Rules;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Timers;
 import org.evoloop.statemachine.Event;

@@ -5,7 +5,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Set;
 import org.evoloop.check.temporal.Moment;
-import org.evoloop.core.Sentry;
+import org.evoloop.engine.Sentry;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.Event;

@@ -9,7 +9,7 @@ import java.util.Set;
 import org.evoloop.check.CheckInput;
 import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.check.temporal.PropertyWatch.Standing;
-import org.evoloop.core.Outcome;
+import org.evoloop.engine.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.DecisionTable;

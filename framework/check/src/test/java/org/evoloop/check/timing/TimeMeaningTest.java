@@ -16,7 +16,7 @@ import org.evoloop.check.TimedEvent;
 import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.check.temporal.Formula;
 import org.evoloop.check.temporal.Moment;
-import org.evoloop.core.Sentry;
+import org.evoloop.engine.Sentry;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.Event;

@@ -6,7 +6,7 @@ import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import org.evoloop.PaperModels;
 import org.evoloop.check.properties.PropertyFile;
-import org.evoloop.core.Sentry;
+import org.evoloop.engine.Sentry;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.Event;

@@ -1,8 +1,8 @@
 package org.evoloop.models.record;
 
 import java.util.stream.Collectors;
-import org.evoloop.core.Input;
-import org.evoloop.core.text.DecisionKind;
+import org.evoloop.engine.Input;
+import org.evoloop.engine.codec.DecisionKind;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;

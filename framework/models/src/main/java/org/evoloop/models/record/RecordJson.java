@@ -2,7 +2,7 @@ package org.evoloop.models.record;
 
 import java.util.List;
 import java.util.Map;
-import org.evoloop.core.Input;
+import org.evoloop.engine.Input;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.journal.JournalFiles.SegmentInfo;
 import org.evoloop.journal.JournalRecord;

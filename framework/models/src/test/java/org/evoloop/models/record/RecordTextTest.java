@@ -6,7 +6,7 @@ import java.time.Instant;
 import java.time.ZoneOffset;
 import java.util.List;
 import org.evoloop.check.properties.PropertyFile;
-import org.evoloop.core.Input;
+import org.evoloop.engine.Input;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.ModelPair;

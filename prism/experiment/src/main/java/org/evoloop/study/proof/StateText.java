@@ -1,10 +1,10 @@
 package org.evoloop.study.proof;
 
 import java.util.List;
-import org.evoloop.core.Doubt;
-import org.evoloop.core.Pending;
-import org.evoloop.core.Snapshot;
-import org.evoloop.core.Work;
+import org.evoloop.engine.Doubt;
+import org.evoloop.engine.Pending;
+import org.evoloop.engine.Snapshot;
+import org.evoloop.engine.Work;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
