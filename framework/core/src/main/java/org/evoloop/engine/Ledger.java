@@ -209,8 +209,9 @@ final class Ledger {
         }
     }
 
-    /** The device has reported what it cannot have done from its recorded state, so that is wrong. */
-    void contradicted(String why) {
+    /** The device has reported {@code fact}, which it cannot have done in {@code from}: the record is wrong. */
+    void contradicted(Occurrence fact, State from) {
+        String why = "the device reports " + fact.label() + ", which is impossible in " + from;
         if (place.doubt() == null) {
             place.doubt(Doubt.contradicted(place.lastDoubt(), why));
             out.doubted(why);
