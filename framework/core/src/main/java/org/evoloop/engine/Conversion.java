@@ -48,8 +48,16 @@ final class Conversion {
             return;
         }
         Pending pending = progress.pending();
-        if (!pending.isUrgent() && ledger.isToFollowFirst()) {
+        if (!pending.goesFirst() && ledger.isToFollowFirst()) {
             again(pending, "what the device did by itself is heard first");
+            return;
+        }
+        Pending urgent = pending.hasHappened() ? null : ledger.makesWayFor();
+        if (urgent != null && pending.broken() == null) {
+            again(pending, urgent.occurrence().label() + " is urgent and goes first");
+            return;
+        } else if (urgent != null) {
+            conclude(number, Outcome.FAILED, afterBroken(pending, endedBy(urgent)));
             return;
         }
         Decision decided = reported(pending, decision);
@@ -99,13 +107,21 @@ final class Conversion {
         if (step == null) {
             return;
         }
-        if (!step.source().equals(ledger.place.at().original())) {
+        Pending urgent = ledger.makesWayFor();
+        if (urgent != null) {
+            conclude(number, Outcome.FAILED, afterBroken(progress.pending(), endedBy(urgent)));
+        } else if (!step.source().equals(ledger.place.at().original())) {
             again("the device left " + step.source() + " by itself");
         } else if (ledger.line.holdsDoubt()) {
             again("the device has to be asked first where it is");
         } else {
             progress.send();
         }
+    }
+
+    /** For people. */
+    private static String endedBy(Pending urgent) {
+        return "ended by " + urgent.occurrence().label() + ", which is urgent";
     }
 
     void sent(long number, boolean inOrder, long atNanos) {
@@ -304,7 +320,7 @@ final class Conversion {
         Decision decision = progress.decision();
         Transition transition = decision == null ? null : decision.transition();
         Step failed = progress.step();
-        if (decision == null || transition == null || failed == null || !ledger.open) {
+        if (decision == null || transition == null || failed == null || !ledger.open || ledger.makesWayFor() != null) {
             return null;
         }
         OnFailure then = ledger.rules.table().device().onFailure(transition);

@@ -129,7 +129,7 @@ public final class Core implements Inputs {
     @Override
     public void changed(Rules rules, long atNanos) {
         ledger.isAt(atNanos);
-        ledger.rules = rules;
+        ledger.becomes(rules);
         // Another component may know what the previous one did not.
         ledger.ask();
     }

@@ -90,6 +90,17 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
         }
     }
 
+    /** Whether any event is {@linkplain StateMachine#urgent urgent} in either model. */
+    public boolean hasUrgent() {
+        return !evolved.urgent().isEmpty() || !original.urgent().isEmpty();
+    }
+
+    /** Whether {@code event} is {@linkplain StateMachine#urgent urgent} in either model, with or without guards. */
+    public boolean isUrgent(Event event) {
+        Event trigger = event.trigger();
+        return evolved.urgent().contains(trigger) || original.urgent().contains(trigger);
+    }
+
     /** The initial states of both machines. */
     public Configuration initial() {
         return new Configuration(original.initial(), evolved.initial());
