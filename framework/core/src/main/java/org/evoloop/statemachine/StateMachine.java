@@ -122,6 +122,11 @@ public final class StateMachine {
         return with(state, known -> known.withSends(event));
     }
 
+    /** A copy in which nothing is {@linkplain #urgent urgent}. */
+    public StateMachine withoutUrgent() {
+        return new StateMachine(this, name, Set.of(), traits);
+    }
+
     private StateMachine with(State state, UnaryOperator<StateTraits> change) {
         Map<State, StateTraits> changed = new HashMap<>(traits);
         changed.put(state, change.apply(traitsOf(state)));
