@@ -30,7 +30,11 @@ public final class Shadow implements AutoCloseable {
         return evolution;
     }
 
-    /** The report so far. @throws IllegalStateException if it has ended */
+    /**
+     * The report so far.
+     *
+     * @throws IllegalStateException if it has ended
+     */
     public ShadowReport report() {
         ShadowReport report = evolver.shadow() == this ? shell.driver.shadowReport() : null;
         if (report == null) {
