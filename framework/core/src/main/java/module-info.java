@@ -8,6 +8,7 @@ module org.evoloop.core {
     requires org.slf4j;
 
     exports org.evoloop.converter;
+    exports org.evoloop.converter.edge;
     exports org.evoloop.engine;
     exports org.evoloop.engine.codec;
     exports org.evoloop.evolution;
@@ -17,4 +18,9 @@ module org.evoloop.core {
     exports org.evoloop.rehearsal;
     exports org.evoloop.statemachine;
     exports org.evoloop.time;
+
+    uses org.evoloop.converter.ConverterDelegate.Maker;
+
+    provides org.evoloop.converter.ConverterDelegate.Maker with
+            org.evoloop.converter.changing.Delegates;
 }

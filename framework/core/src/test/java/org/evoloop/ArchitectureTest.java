@@ -52,8 +52,22 @@ class ArchitectureTest {
             .definedBy("org.evoloop.loop..")
             .layer("function")
             .definedBy("org.evoloop.function..")
+            .layer("rehearsal")
+            .definedBy("org.evoloop.rehearsal..")
+            .layer("binding")
+            .definedBy("org.evoloop.converter.binding..")
+            .layer("attachment")
+            .definedBy("org.evoloop.converter.attachment..")
             .layer("converter")
-            .definedBy("org.evoloop.converter..")
+            .definedBy("org.evoloop.converter")
+            .layer("recording")
+            .definedBy("org.evoloop.converter.recording..")
+            .layer("running")
+            .definedBy("org.evoloop.converter.running..")
+            .layer("changing")
+            .definedBy("org.evoloop.converter.changing..")
+            .layer("edge")
+            .definedBy("org.evoloop.converter.edge..")
             .whereLayer("statemachine")
             .mayNotAccessAnyLayer()
             .whereLayer("time")
@@ -70,9 +84,64 @@ class ArchitectureTest {
             .mayOnlyAccessLayers("time", "flight")
             .whereLayer("function")
             .mayOnlyAccessLayers("evolution", "loop", "time", "statemachine")
+            .whereLayer("rehearsal")
+            .mayOnlyAccessLayers("engine", "evolution", "statemachine")
+            .whereLayer("binding")
+            .mayOnlyAccessLayers("loop", "evolution", "time", "statemachine")
+            .whereLayer("attachment")
+            .mayOnlyAccessLayers("binding", "loop", "function", "evolution", "statemachine")
             .whereLayer("converter")
             .mayOnlyAccessLayers(
-                    "engine", "migration", "loop", "function", "flight", "evolution", "time", "statemachine");
+                    "attachment",
+                    "binding",
+                    "engine",
+                    "rehearsal",
+                    "migration",
+                    "loop",
+                    "function",
+                    "evolution",
+                    "time",
+                    "statemachine")
+            .whereLayer("recording")
+            .mayOnlyAccessLayers("converter", "engine", "loop", "flight", "evolution", "time", "statemachine")
+            .whereLayer("running")
+            .mayOnlyAccessLayers(
+                    "recording",
+                    "converter",
+                    "attachment",
+                    "binding",
+                    "engine",
+                    "rehearsal",
+                    "migration",
+                    "loop",
+                    "function",
+                    "flight",
+                    "evolution",
+                    "time",
+                    "statemachine")
+            .whereLayer("changing")
+            .mayOnlyAccessLayers(
+                    "running",
+                    "recording",
+                    "converter",
+                    "attachment",
+                    "engine",
+                    "migration",
+                    "loop",
+                    "evolution",
+                    "time",
+                    "statemachine")
+            .whereLayer("edge")
+            .mayOnlyAccessLayers(
+                    "running",
+                    "recording",
+                    "converter",
+                    "attachment",
+                    "binding",
+                    "engine",
+                    "loop",
+                    "evolution",
+                    "statemachine");
 
     @ArchTest
     static final ArchRule noRoomsLeadInACircle =

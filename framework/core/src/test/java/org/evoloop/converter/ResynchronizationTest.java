@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.evoloop.converter.Robot.at;
 
 import java.time.Duration;
+import org.evoloop.converter.recording.Transcript;
 import org.evoloop.engine.Outcome;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.statemachine.State;
