@@ -194,6 +194,20 @@ public class StateKnowledge extends Knowledge {
         }
     }
 
+    /**
+     * Says that {@code event} is urgent, as the model can, too: it has a place in the queue that no other can take, goes
+     * before all other requests, and ends the plan in progress between two steps.
+     */
+    protected final void urgent(String event) {
+        Event known = new Event(event);
+        if (pair.evolved().triggers().contains(known)) {
+            pair = new ModelPair(pair.original(), pair.evolved().withUrgent(known));
+        } else {
+            misnamed.add("an event is registered as urgent, " + event + ", which is not an event of the new model"
+                    + Names.hint(event, pair.evolved().triggers()));
+        }
+    }
+
     /** The states of this name, whose use of the device is registered. */
     private List<State> used(String name) {
         List<State> all = drawn(name);

@@ -47,6 +47,7 @@ public final class StateMachineBuilder {
 
     private final List<String> problems = new ArrayList<>();
     private final Set<Event> spontaneous = new LinkedHashSet<>();
+    private final Set<Event> urgent = new LinkedHashSet<>();
     private final List<String> initialEffects = new ArrayList<>();
     private final Map<State, StateTraits> traits = new LinkedHashMap<>();
     private @Nullable State initial;
@@ -212,6 +213,12 @@ public final class StateMachineBuilder {
         return event(event);
     }
 
+    /** Adds an event that is urgent, see {@link StateMachine#urgent}. */
+    public StateMachineBuilder urgent(String event) {
+        urgent.add(new Event(event));
+        return event(event);
+    }
+
     /**
      * Adds a transition, with its states and event.
      *
@@ -317,7 +324,8 @@ public final class StateMachineBuilder {
             throw new ModelException("state machine '" + name + "': " + String.join("; ", problems));
         }
         built = true;
-        return new StateMachine(name, start, rows, withoutNamesOfGuarded(), spontaneous, initialEffects, traits);
+        return new StateMachine(
+                name, start, rows, withoutNamesOfGuarded(), spontaneous, urgent, initialEffects, traits);
     }
 
     /** The events, without those that are named but drawn only with guards. */

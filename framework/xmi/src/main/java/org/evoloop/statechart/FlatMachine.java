@@ -125,6 +125,7 @@ final class FlatMachine {
             leaving.clear();
         }
         net.spontaneous().forEach(builder::spontaneous);
+        net.urgent().forEach(builder::urgent);
         net.chart().events().stream().filter(event -> !event.isBlank()).forEach(builder::event);
         return builder.build();
     }
