@@ -10,7 +10,6 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import org.evoloop.converter.attachment.EventsByName;
 import org.evoloop.converter.attachment.ExecuteAccess;
-import org.evoloop.converter.attachment.ExecuteHost;
 import org.evoloop.converter.attachment.Friends;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
@@ -37,7 +36,7 @@ public abstract class EventExecute extends Execute<ChangePlan> {
     private final ExecuteAccess access = new Access();
     private volatile @Nullable Set<Event> events;
     private volatile Values values = Values.NONE;
-    private volatile @Nullable ExecuteHost host;
+    private volatile ExecuteAccess.@Nullable Host host;
 
     /** A component named after its class. */
     protected EventExecute() {}
@@ -85,7 +84,7 @@ public abstract class EventExecute extends Execute<ChangePlan> {
     }
 
     private void report(boolean inOrder) {
-        ExecuteHost attached = host;
+        ExecuteAccess.Host attached = host;
         if (attached != null) {
             attached.tookEffect(access, inOrder);
         }
@@ -133,7 +132,7 @@ public abstract class EventExecute extends Execute<ChangePlan> {
 
     @Override
     protected final void execute(ChangePlan plan) throws Exception {
-        ExecuteHost attached = host;
+        ExecuteAccess.Host attached = host;
         if (attached != null) {
             attached.carryOut(plan.occurrence(), plan.decision(), access);
         }
@@ -146,7 +145,7 @@ public abstract class EventExecute extends Execute<ChangePlan> {
         }
 
         @Override
-        public void attach(ExecuteHost joined) {
+        public void attach(ExecuteAccess.Host joined) {
             host = joined;
         }
 

@@ -5,6 +5,8 @@ import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;
 import org.evoloop.statemachine.Event;
@@ -12,13 +14,26 @@ import org.evoloop.statemachine.State;
 
 /** What an execute component does for the converter. Each component has one, which stands for it. */
 public abstract class ExecuteAccess {
+    /** What execute components are attached to. */
+    public interface Host {
+        /** Carries out the plan for {@code occurrence} as far as {@code execute} can, on its thread. */
+        void carryOut(Occurrence occurrence, Decision plan, ExecuteAccess execute) throws Exception;
+
+        /**
+         * The step that {@code execute} was sending has had its effect; only the first call for a step counts.
+         *
+         * @param inOrder whether it is reported in the order in which everything happened at the device
+         */
+        void tookEffect(ExecuteAccess execute, boolean inOrder);
+    }
+
     private long sending;
 
     /** The component's name. */
     public abstract String name();
 
     /** From now on it carries out what {@code host} gives it, and reports to it. */
-    public abstract void attach(ExecuteHost host);
+    public abstract void attach(Host host);
 
     /** Those that it can send; asked for only once. */
     public abstract Set<Event> events();

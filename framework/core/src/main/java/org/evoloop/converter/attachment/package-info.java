@@ -5,14 +5,14 @@
  * of it.
  *
  * <pre>
- *  user's class ──▶ EventExecute ──▶ ExecuteHost             the converter carries out a plan, hears of an effect
+ *  user's class ──▶ EventExecute ──▶ ExecuteAccess.Host      the converter carries out a plan, hears of an effect
  *                        ▲                │ implemented by running.Carrier, edge.EdgeShell
  *                        │ gives          ▼
  *                   ExecuteAccess ◀── Friends.EXECUTE.of(execute)
  * </pre>
  *
  * <ul>
- *   <li>{@link org.evoloop.converter.attachment.ExecuteHost} and {@link org.evoloop.converter.attachment.DecisionHost}:
+ *   <li>{@link org.evoloop.converter.attachment.ExecuteAccess.Host} and {@link org.evoloop.converter.attachment.DecisionHost}:
  *       what a component may ask of the converter.
  *   <li>{@link org.evoloop.converter.attachment.ExecuteAccess}, {@link org.evoloop.converter.attachment.MonitorAccess} and
  *       {@link org.evoloop.converter.attachment.KnowledgeAccess}: what the converter asks of them, but no user.

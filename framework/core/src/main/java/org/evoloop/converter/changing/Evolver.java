@@ -11,6 +11,7 @@ import org.evoloop.converter.EventMonitor;
 import org.evoloop.converter.Evolution;
 import org.evoloop.converter.EvolutionException;
 import org.evoloop.converter.Shadow;
+import org.evoloop.converter.ShadowReport;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.converter.attachment.Friends;
@@ -125,7 +126,7 @@ final class Evolver {
 
     /** As {@link SystemEventConverter#shadow(Evolution)}. */
     Shadow shadow(ConverterShell shell, Evolution evolution) {
-        LiveShadow begun = new LiveShadow(this, shell, evolution);
+        LiveShadow begun = new LiveShadow(shell, evolution);
         StateKnowledge next = evolution.next();
         changes.change(() -> {
             belongings.take(next, next.name());
@@ -150,7 +151,7 @@ final class Evolver {
     }
 
     /** As {@link Shadow#promote}. */
-    Evolution.Result promote(LiveShadow promoted, ConverterShell shell) {
+    private Evolution.Result promote(LiveShadow promoted, ConverterShell shell) {
         if (shadow != promoted) {
             throw new IllegalStateException("the shadow has ended");
         }
@@ -158,7 +159,7 @@ final class Evolver {
     }
 
     /** As {@link Shadow#close}. */
-    void end(LiveShadow ended, ConverterShell shell) {
+    private void end(LiveShadow ended, ConverterShell shell) {
         changes.change(() -> {
             if (shadow == ended) {
                 shell.driver().endShadow();
@@ -322,6 +323,40 @@ final class Evolver {
                 // From now on a fault rolls back, which needs the way back.
                 trial.begin();
             }
+        }
+    }
+
+    private final class LiveShadow implements Shadow {
+        private final ConverterShell shell;
+        private final Evolution evolution;
+
+        LiveShadow(ConverterShell shell, Evolution evolution) {
+            this.shell = shell;
+            this.evolution = evolution;
+        }
+
+        @Override
+        public Evolution evolution() {
+            return evolution;
+        }
+
+        @Override
+        public ShadowReport report() {
+            ShadowReport report = shadow == this ? shell.driver().shadowReport() : null;
+            if (report == null) {
+                throw new IllegalStateException("the shadow has ended");
+            }
+            return report;
+        }
+
+        @Override
+        public Evolution.Result promote() {
+            return Evolver.this.promote(this, shell);
+        }
+
+        @Override
+        public void close() {
+            end(this, shell);
         }
     }
 

@@ -9,8 +9,8 @@
  *   <li>{@link org.evoloop.converter.changing.Construction}, {@link org.evoloop.converter.changing.Crewing}, {@link
  *       org.evoloop.converter.changing.Spares} and {@link org.evoloop.converter.changing.Belongings}: its components, when it
  *       is built and later, and that no other converter has them.
- *   <li>{@link org.evoloop.converter.changing.Evolver}, {@link org.evoloop.converter.changing.Trial} and {@link
- *       org.evoloop.converter.changing.LiveShadow}: other models take over, are on probation, or run beside.
+ *   <li>{@link org.evoloop.converter.changing.Evolver} and {@link org.evoloop.converter.changing.Trial}: other models take
+ *       over or run beside, and are on probation.
  * </ul>
  *
  * <p>No module exports this package. It may use {@code org.evoloop.converter.running} and what that uses.

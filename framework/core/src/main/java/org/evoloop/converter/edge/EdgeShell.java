@@ -15,7 +15,6 @@ import org.evoloop.converter.EventPlan;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.UnknownEffectException;
 import org.evoloop.converter.attachment.ExecuteAccess;
-import org.evoloop.converter.attachment.ExecuteHost;
 import org.evoloop.converter.attachment.Friends;
 import org.evoloop.converter.attachment.KnowledgeAccess;
 import org.evoloop.converter.binding.Bindings;
@@ -71,7 +70,7 @@ public final class EdgeShell implements AutoCloseable {
 
     private final Assembly assembly = new Assembly();
     private final MapeLoop<Occurrence, Analysis, ChangePlan> loop;
-    private final ExecuteHost host = new Host();
+    private final ExecuteAccess.Host host = new Host();
     private volatile Configuration at;
 
     /** The sequence number of what was asked for and is not answered; 0 if nothing is. */
@@ -257,7 +256,7 @@ public final class EdgeShell implements AutoCloseable {
         return assembly.executes().stream().map(Friends.EXECUTE::of).toList();
     }
 
-    private final class Host implements ExecuteHost {
+    private final class Host implements ExecuteAccess.Host {
         @Override
         public void carryOut(Occurrence occurrence, Decision plan, ExecuteAccess execute) {
             // The loop here makes no plans.

@@ -2,7 +2,6 @@ package org.evoloop.converter.running;
 
 import org.evoloop.converter.UnknownEffectException;
 import org.evoloop.converter.attachment.ExecuteAccess;
-import org.evoloop.converter.attachment.ExecuteHost;
 import org.evoloop.converter.recording.Books;
 import org.evoloop.engine.Input;
 import org.evoloop.engine.Inputs;
@@ -22,7 +21,7 @@ import org.jspecify.annotations.Nullable;
  * Carries out the core's directives: on the threads of the execute components, one at a time; those that belong to no
  * occurrence on the thread that opens, closes or gives up.
  */
-final class Carrier implements ExecuteHost {
+final class Carrier implements ExecuteAccess.Host {
     private final CoreDriver driver;
     private final Inputs inputs;
     private final CoreOutputs outputs;
