@@ -163,8 +163,8 @@ public final class StateMachine {
         }
         builder.initial(renamed.apply(initial).name()).initialEffects(initialEffects);
         events.forEach(builder::event);
-        spontaneous.forEach(event -> builder.spontaneous(event.name()));
-        urgent.forEach(event -> builder.urgent(event.name()));
+        spontaneous.forEach(builder::spontaneous);
+        urgent.forEach(builder::urgent);
         for (Transition transition : transitions()) {
             builder.transition(
                     new Transition(

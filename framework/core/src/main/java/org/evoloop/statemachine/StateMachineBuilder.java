@@ -51,6 +51,7 @@ public final class StateMachineBuilder {
     private final List<String> initialEffects = new ArrayList<>();
     private final Map<State, StateTraits> traits = new LinkedHashMap<>();
     private @Nullable State initial;
+    private @Nullable TransitionDraft draft;
 
     StateMachineBuilder(String name) {
         this.name = requireNonNull(name, "the name of a state machine is null");
@@ -196,10 +197,11 @@ public final class StateMachineBuilder {
      * those.
      */
     public StateMachineBuilder event(String event) {
-        return event(new Event(event));
+        return event(drawn(event));
     }
 
-    StateMachineBuilder event(Event event) {
+    /** The same for an event as it is. */
+    public StateMachineBuilder event(Event event) {
         if (!events.contains(event)) {
             named.add(event);
         }
@@ -209,14 +211,50 @@ public final class StateMachineBuilder {
 
     /** Adds an event that the device takes of its own accord. */
     public StateMachineBuilder spontaneous(String event) {
-        spontaneous.add(new Event(event));
+        return spontaneous(unguarded(event));
+    }
+
+    /** The same for an event as it is. */
+    public StateMachineBuilder spontaneous(Event event) {
+        spontaneous.add(event);
         return event(event);
     }
 
     /** Adds an event that is urgent, see {@link StateMachine#urgent}. */
     public StateMachineBuilder urgent(String event) {
-        urgent.add(new Event(event));
+        return urgent(unguarded(event));
+    }
+
+    /** The same for an event as it is. */
+    public StateMachineBuilder urgent(Event event) {
+        urgent.add(event);
         return event(event);
+    }
+
+    private Event unguarded(String event) {
+        Event drawn = drawn(event);
+        if (!drawn.guards().isEmpty()) {
+            problems.add("the event " + drawn + " is declared with a guard; write " + drawn.name()
+                    + ", which holds for all");
+        }
+        return drawn.trigger();
+    }
+
+    /** Begins a transition that leaves {@code state} and is drawn part by part. */
+    public TransitionDraft from(String state) {
+        finishDraft();
+        draft = new TransitionDraft(this, new State(state));
+        return draft;
+    }
+
+    private void finishDraft() {
+        TransitionDraft finished = draft;
+        draft = null;
+        if (finished != null && finished.problem().isEmpty()) {
+            transition(finished.transition(), "");
+        } else if (finished != null) {
+            problems.add(finished.problem());
+        }
     }
 
     /**
@@ -237,7 +275,7 @@ public final class StateMachineBuilder {
         return transition(new Transition(new State(source), drawn(event), new State(target)), place);
     }
 
-    private static Event drawn(String event) {
+    static Event drawn(String event) {
         Matcher guarded = GUARDED.matcher(requireNonNull(event, "the name of an event is null"));
         return guarded.matches()
                 ? new Event(
@@ -256,6 +294,7 @@ public final class StateMachineBuilder {
      * @param place as above
      */
     public StateMachineBuilder transition(Transition transition, String place) {
+        finishDraft();
         Row row = row(requireNonNull(transition, NO_TRANSITION).source());
         row(transition.target());
         add(transition, row, place);
@@ -267,6 +306,7 @@ public final class StateMachineBuilder {
      * each end of a hundred thousand transitions.
      */
     public StateMachineBuilder transitions(State source, List<Transition> leaving) {
+        finishDraft();
         Row row = row(source);
         for (Transition transition : requireNonNull(leaving, "the transitions that leave a state are null")) {
             add(requireNonNull(transition, NO_TRANSITION), row, "");
@@ -306,6 +346,7 @@ public final class StateMachineBuilder {
 
     /** The problems that {@link #build()} would report in the transitions added so far. */
     public List<String> problems() {
+        finishDraft();
         return List.copyOf(problems);
     }
 
@@ -316,6 +357,7 @@ public final class StateMachineBuilder {
      *     message lists all problems
      */
     public StateMachine build() {
+        finishDraft();
         State start = initial;
         if (start == null) {
             problems.add("no initial state; draw an initial pseudostate with a transition to the first state");

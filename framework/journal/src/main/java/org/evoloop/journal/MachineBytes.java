@@ -87,8 +87,8 @@ final class MachineBytes {
         }
         builder.initial(cursor.name());
         builder.initialEffects(cursor.names());
-        cursor.names().forEach(builder::spontaneous);
-        cursor.names().forEach(builder::urgent);
+        cursor.names().forEach(name -> builder.spontaneous(new Event(name)));
+        cursor.names().forEach(name -> builder.urgent(new Event(name)));
         List<Transition> transitions = new ArrayList<>();
         for (int left = cursor.count(); left > 0; left--) {
             transitions.add(transition(cursor));

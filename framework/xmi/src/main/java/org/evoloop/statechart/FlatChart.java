@@ -157,9 +157,9 @@ final class FlatChart {
         for (Row row : rows.values()) {
             builder.transitions(row.state(), row.leaving());
         }
-        spontaneous.forEach(builder::spontaneous);
-        urgent.forEach(builder::urgent);
-        chart.events().stream().filter(event -> !event.isBlank()).forEach(builder::event);
+        spontaneous.forEach(event -> builder.spontaneous(new Event(event)));
+        urgent.forEach(event -> builder.urgent(new Event(event)));
+        chart.events().stream().filter(event -> !event.isBlank()).forEach(event -> builder.event(new Event(event)));
         return builder.problems().isEmpty() ? new Flattening(builder.build(), this::leaves) : null;
     }
 
