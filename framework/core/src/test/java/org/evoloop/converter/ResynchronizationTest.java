@@ -5,8 +5,8 @@ import static org.evoloop.converter.Robot.at;
 
 import java.time.Duration;
 import org.evoloop.converter.recording.Transcript;
-import org.evoloop.engine.Outcome;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.statemachine.State;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;

@@ -9,7 +9,7 @@ import ch.qos.logback.core.AppenderBase;
 import java.time.Duration;
 import java.util.concurrent.CountDownLatch;
 import org.evoloop.converter.recording.FailureLog;
-import org.evoloop.engine.Outcome;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.AfterEach;

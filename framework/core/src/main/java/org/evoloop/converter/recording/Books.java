@@ -1,9 +1,9 @@
 package org.evoloop.converter.recording;
 
-import org.evoloop.engine.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.loop.Failure;
 import org.evoloop.loop.LoopConfig;
 import org.jspecify.annotations.Nullable;

@@ -2,9 +2,9 @@ package org.evoloop.converter.recording;
 
 import java.util.Locale;
 import org.evoloop.converter.running.CoreDriver;
-import org.evoloop.engine.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.flight.ConversionEvent;
 import org.evoloop.flight.ObservedEvent;
 import org.jspecify.annotations.Nullable;

@@ -4,12 +4,12 @@ import java.time.Instant;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import org.evoloop.converter.ConverterJournal;
-import org.evoloop.engine.Outcome;
 import org.evoloop.engine.Output;
 import org.evoloop.engine.Pending;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Outcome;
 import org.jspecify.annotations.Nullable;
 
 /** Receives replayed outputs of a core: they go into the history and the latency, and are not carried out again. */

@@ -1,7 +1,5 @@
-package org.evoloop.engine;
+package org.evoloop.evolution;
 
-import org.evoloop.evolution.Configuration;
-import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 

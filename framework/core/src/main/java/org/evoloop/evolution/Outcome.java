@@ -1,4 +1,4 @@
-package org.evoloop.engine;
+package org.evoloop.evolution;
 
 /**
  * The outcome of an occurrence.
