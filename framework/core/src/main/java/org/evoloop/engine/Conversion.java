@@ -10,6 +10,7 @@ import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.OnFailure;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;

@@ -7,6 +7,7 @@ import java.util.Set;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
