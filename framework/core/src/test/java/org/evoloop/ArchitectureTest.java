@@ -106,7 +106,8 @@ class ArchitectureTest {
                     "time",
                     "statemachine")
             .whereLayer("recording")
-            .mayOnlyAccessLayers("converter", "engine", "loop", "flight", "evolution", "time", "statemachine")
+            .mayOnlyAccessLayers(
+                    "converter", "attachment", "engine", "loop", "flight", "evolution", "time", "statemachine")
             .whereLayer("running")
             .mayOnlyAccessLayers(
                     "recording",

@@ -7,6 +7,7 @@ import java.util.HashSet;
 import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.Predicate;
+import org.evoloop.converter.attachment.Endings;
 import org.evoloop.converter.attachment.EventsByName;
 import org.evoloop.converter.attachment.Friends;
 import org.evoloop.converter.attachment.MonitorAccess;
@@ -46,6 +47,7 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     private volatile @Nullable MapeLoop<Occurrence, ?, ?> loop;
     private volatile BiFunction<Event, Values, Set<String>> guards = (event, values) -> NOT_EVALUATED;
     private volatile Predicate<Event> devicesOwn = event -> false;
+    private volatile @Nullable Endings endings;
 
     /** A monitor named after its class. */
     protected EventMonitor() {}
@@ -62,8 +64,10 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
                 MapeLoop<Occurrence, ?, ?> joined,
                 EventNames names,
                 BiFunction<Event, Values, Set<String>> holding,
-                Predicate<Event> own) {
+                Predicate<Event> own,
+                Endings ends) {
             devicesOwn = own;
+            endings = ends;
             eventNames = names;
             config = loopConfig;
             loop = joined;
@@ -153,6 +157,15 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         }
     }
 
+    /** Has {@code submission} told how {@code pressed}, which is not reported yet, ends. */
+    final void await(Occurrence pressed, Submission submission) {
+        Endings told = endings;
+        if (told == null) {
+            throw notPart(pressed);
+        }
+        told.await(pressed, submission::ended);
+    }
+
     /** Says that {@code pressed} is lost because there is no converter. */
     final IllegalStateException notPart(Occurrence pressed) {
         return new IllegalStateException(
@@ -167,12 +180,8 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         return joined == null || isDueLater ? null : joined.admit(pressed);
     }
 
-    /**
-     * Says that {@code pressed} is lost if the loop has not taken it.
-     *
-     * @throws IllegalStateException that says why
-     */
-    final void requireTaken(Occurrence pressed, Admission admission) {
+    /** Why the loop has not taken {@code pressed}; empty if it has. */
+    final String whyNotTaken(Occurrence pressed, Admission admission) {
         String event = pressed.label();
         String why = switch (admission) {
             case TAKEN -> "";
@@ -184,9 +193,7 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
                         ? " is closed, so " + event + " is refused"
                         : " is stopped, so " + event + " is refused; start it first";
         };
-        if (!why.isEmpty()) {
-            throw new IllegalStateException(converter() + why);
-        }
+        return why.isEmpty() ? "" : converter() + why;
     }
 
     private String converter() {

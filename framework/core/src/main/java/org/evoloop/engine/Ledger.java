@@ -100,12 +100,12 @@ final class Ledger {
     }
 
     /**
-     * The urgent event for which the occurrence in progress has to make way; null if there is none, or the new model
-     * would not take it where it is.
+     * Why the occurrence in progress has to make way for an urgent event, for people; empty if there is none, or the new
+     * model would not take it where it is.
      */
-    @Nullable
-    Pending makesWayFor() {
-        return progress.isIdle() || isUrgent(progress.pending()) ? null : nextUrgent();
+    String makesWay() {
+        Pending urgent = progress.isIdle() || isUrgent(progress.pending()) ? null : nextUrgent();
+        return urgent == null ? "" : "overtaken by " + urgent.occurrence().label() + ", which is urgent";
     }
 
     private @Nullable Pending nextUrgent() {
@@ -140,7 +140,10 @@ final class Ledger {
             Occurrence occurrence, Configuration before, Outcome outcome, @Nullable Decision decision, String detail) {
         counts.end(outcome);
         followOwed |= !isWhereNeeded();
-        out.ended(occurrence, before, place.at(), outcome, decision, detail);
+        String why = decision instanceof Decision.NotAcceptable
+                ? rules.table().models().guardsThatDoNotHold(before, occurrence)
+                : detail;
+        out.ended(occurrence, before, place.at(), outcome, decision, why);
     }
 
     void refused(Occurrence occurrence) {

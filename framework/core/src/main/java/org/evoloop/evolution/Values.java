@@ -135,7 +135,13 @@ public record Values(Map<String, Object> byName) {
     public String toString() {
         StringBuilder text = new StringBuilder();
         byName.forEach((name, value) ->
-                text.append(text.isEmpty() ? "" : ", ").append(name).append('=').append(value));
+                text.append(text.isEmpty() ? "" : ", ").append(name).append('=').append(shown(value)));
         return text.toString();
+    }
+
+    /** Whole numbers without a fraction. */
+    private static String shown(Object value) {
+        boolean whole = value instanceof Double number && number == Math.rint(number) && Math.abs(number) < 1e15;
+        return whole ? String.valueOf(((Double) value).longValue()) : value.toString();
     }
 }

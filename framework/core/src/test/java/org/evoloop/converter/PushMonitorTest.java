@@ -59,7 +59,9 @@ class PushMonitorTest {
         LoopConfig config = LoopConfig.defaults("pushed", clock).withQueueCapacity(EVENTS);
         MapeLoop<Occurrence, Occurrence, Occurrence> loop = new MapeLoop<>(config, new Strict());
         EventNames names = new EventNames(IN_ORDER.stream().map(Event::new).collect(Collectors.toSet()));
-        Friends.MONITOR.of(monitor).attach(config, loop, names, (event, values) -> Set.of(), event -> false);
+        Friends.MONITOR
+                .of(monitor)
+                .attach(config, loop, names, (event, values) -> Set.of(), event -> false, (occurrence, then) -> {});
         loop.addMonitor(monitor);
         loop.addAnalyze(new Analyze<>("Analyze") {
             @Override

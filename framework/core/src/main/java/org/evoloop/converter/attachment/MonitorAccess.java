@@ -17,13 +17,15 @@ public interface MonitorAccess {
      *
      * @param holding the guards that the original model draws for an event and that hold now, by its values
      * @param own whether only the device can raise an event
+     * @param endings who is to be asked how an occurrence ends
      */
     void attach(
             LoopConfig config,
             MapeLoop<Occurrence, ?, ?> loop,
             EventNames names,
             BiFunction<Event, Values, Set<String>> holding,
-            Predicate<Event> own);
+            Predicate<Event> own,
+            Endings endings);
 
     /** Sets the names by which it reports events. */
     void useNames(EventNames names);

@@ -146,6 +146,11 @@ public final class EdgeShell implements AutoCloseable {
         assembly.add(execute);
     }
 
+    private static void decidedElsewhere(Occurrence occurrence, Object then) {
+        throw new UnsupportedOperationException(
+                occurrence.label() + " is decided elsewhere, which does not report the outcome; use press instead");
+    }
+
     /**
      * Begins to observe.
      *
@@ -164,7 +169,13 @@ public final class EdgeShell implements AutoCloseable {
                 // Guards are evaluated once for each event, by observed().
                 Friends.MONITOR
                         .of(monitor)
-                        .attach(config, loop, access.eventNames(), (event, values) -> Set.of(), table::isDevicesOwn);
+                        .attach(
+                                config,
+                                loop,
+                                access.eventNames(),
+                                (event, values) -> Set.of(),
+                                table::isDevicesOwn,
+                                EdgeShell::decidedElsewhere);
                 loop.addMonitor(monitor);
             } else if (component instanceof EventExecute execute) {
                 Friends.EXECUTE.of(execute).attach(host);

@@ -46,6 +46,7 @@ public record Books(
             String left) {
         history.record(occurrence, before, after, outcome, decision, detail, left);
         flight.ended(occurrence, before, after, outcome, detail);
+        listeners.endings().ended(occurrence, before, after, outcome, decision, detail);
         listeners.ended(history);
     }
 

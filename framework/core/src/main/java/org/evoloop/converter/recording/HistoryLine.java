@@ -56,7 +56,7 @@ final class HistoryLine {
     /** @param earlier how many events came before those that its history counts */
     HistoryEntry toEntry(long earlier) {
         Decision decided = decision;
-        String details = detail.isEmpty() && decided != null ? detail(decided) : detail;
+        String details = detail(decided, detail);
         return new HistoryEntry(
                 earlier + number,
                 Objects.requireNonNull(at),
@@ -67,6 +67,11 @@ final class HistoryLine {
                 details.isEmpty() || left.isEmpty() ? details + left : details + "; " + left,
                 decided,
                 Duration.ofNanos(tookNanos));
+    }
+
+    /** What an entry says: {@code detail}, or else the words for the decision. */
+    static String detail(@Nullable Decision decision, String detail) {
+        return detail.isEmpty() && decision != null ? detail(decision) : detail;
     }
 
     private static String detail(Decision decision) {

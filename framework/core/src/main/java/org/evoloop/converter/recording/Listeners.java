@@ -57,12 +57,20 @@ public final class Listeners {
     /** The conversion time of the occurrence in progress; guarded by the lock of the {@link CoreDriver}. */
     private long waitedNanos = NOT_CONVERTED;
 
+    private final AwaitedEndings endings;
+
     private volatile boolean losing;
     private volatile boolean closed;
 
     public Listeners(LoopConfig config, FailureLog failures) {
         this.config = config;
         this.failures = failures;
+        this.endings = new AwaitedEndings(config.threads());
+    }
+
+    /** Those who wait for the end of one occurrence. */
+    public AwaitedEndings endings() {
+        return endings;
     }
 
     /** A call of {@code to}, the listeners when it was made. */
@@ -174,6 +182,7 @@ public final class Listeners {
      * another call is made.
      */
     public void deliver() {
+        endings.deliver();
         while (!config.threads() && hasCalls() && delivering.compareAndSet(false, true)) {
             try {
                 for (Notice next = poll(); next != null; next = poll()) {
@@ -245,6 +254,7 @@ public final class Listeners {
 
     /** Makes the waiting calls and ends the thread. Idempotent; a listener must not call it. */
     public void close() {
+        endings.close();
         deliver();
         closed = true;
         Calls ending = calls;

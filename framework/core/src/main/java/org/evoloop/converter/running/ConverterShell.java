@@ -219,7 +219,8 @@ public final class ConverterShell implements LoopListener<Occurrence> {
                             loop,
                             knowledge.access().eventNames(),
                             driver::holding,
-                            event -> driver.rules().table().isDevicesOwn(event));
+                            event -> driver.rules().table().isDevicesOwn(event),
+                            books.listeners().endings());
         } else if (component instanceof EventAnalyze analyze) {
             Friends.ANALYZE.of(analyze).accept(driver);
         } else if (component instanceof EventPlan plan) {

@@ -128,6 +128,7 @@ final class CoreOutputs implements Outputs {
     public void refused(Occurrence occurrence) {
         admission = Admission.REFUSED;
         books.flight().observed(occurrence, "refused");
+        books.listeners().endings().refused(occurrence);
     }
 
     @Override
