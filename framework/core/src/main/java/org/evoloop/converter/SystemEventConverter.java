@@ -83,7 +83,11 @@ public final class SystemEventConverter implements AutoCloseable {
         delegate.add(execute);
     }
 
-    /** Sets the knowledge, before {@link #build}. @throws IllegalStateException if there is one already */
+    /**
+     * Sets the knowledge, before {@link #build}.
+     *
+     * @throws IllegalStateException if there is one already
+     */
     public void addKnowledge(StateKnowledge stateKnowledge) {
         delegate.addKnowledge(stateKnowledge);
     }
@@ -143,7 +147,11 @@ public final class SystemEventConverter implements AutoCloseable {
         delegate.addLink(deviceLink);
     }
 
-    /** Registers a spare for {@link #exchange(String, String)}. @throws IllegalStateException if the name is taken */
+    /**
+     * Registers a spare for {@link #exchange(String, String)}.
+     *
+     * @throws IllegalStateException if the name is taken
+     */
     public void addSpare(String name, Supplier<? extends Component> spare) {
         delegate.addSpare(name, spare);
     }

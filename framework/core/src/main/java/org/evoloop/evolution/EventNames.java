@@ -18,7 +18,11 @@ import org.evoloop.statemachine.Names;
 public final class EventNames {
     private final Map<String, Event> known = new HashMap<>();
 
-    /** The names of {@code events}. @throws NullPointerException if the set is null */
+    /**
+     * The names of {@code events}.
+     *
+     * @throws NullPointerException if the set is null
+     */
     public EventNames(Set<Event> events) {
         requireNonNull(events, "the events are null; Set.of() are none").forEach(this::add);
     }

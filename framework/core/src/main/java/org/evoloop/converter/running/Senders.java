@@ -126,7 +126,11 @@ final class Senders implements Dispatch<ChangePlan> {
         shared = occurrence;
     }
 
-    /** Whether {@code execute} can send {@code step}; if not, another one can. @throws IllegalStateException if none can */
+    /**
+     * Whether {@code execute} can send {@code step}; if not, another one can.
+     *
+     * @throws IllegalStateException if none can
+     */
     boolean canSend(Step step, ExecuteAccess execute) {
         if (execute.events().contains(step.trigger())) {
             return true;
