@@ -6,7 +6,7 @@
  *
  * <pre>
  *  user's class ──▶ EventExecute ──▶ ExecuteAccess.Host      the converter carries out a plan, hears of an effect
- *                        ▲                │ implemented by running.Carrier, edge.EdgeShell
+ *                        ▲                │ implemented by running.PlanExecutor, edge.EdgeShell
  *                        │ gives          ▼
  *                   ExecuteAccess ◀── Friends.EXECUTE.of(execute)
  * </pre>

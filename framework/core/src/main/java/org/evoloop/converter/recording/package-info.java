@@ -2,7 +2,7 @@
  * What is written down of a converter's events, and who is told of them.
  *
  * <ul>
- *   <li>{@link org.evoloop.converter.recording.Books}: all of the following for one converter.
+ *   <li>{@link org.evoloop.converter.recording.Records}: all of the following for one converter.
  *   <li>{@link org.evoloop.converter.recording.Transcript}: the paper's log.
  *   <li>{@link org.evoloop.converter.recording.FailureLog}: the log of failures and warnings, which a flood does not fill.
  *   <li>{@link org.evoloop.converter.recording.History}: the last events, each a {@link
