@@ -64,7 +64,11 @@ public class EventAnalyze extends Analyze<Occurrence, Analysis> {
         return decision == null ? null : new Analysis(occurrence, decision);
     }
 
-    /** The states of device and evolved system. @throws IllegalStateException if this is not part of a converter */
+    /**
+     * The states of device and evolved system.
+     *
+     * @throws IllegalStateException if this is not part of a converter
+     */
     protected final Configuration configuration() {
         DecisionHost attached = host;
         if (attached == null) {

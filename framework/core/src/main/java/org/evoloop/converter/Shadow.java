@@ -18,7 +18,11 @@ public interface Shadow extends AutoCloseable {
     /** The evolution that {@link #promote} carries out. */
     Evolution evolution();
 
-    /** The report so far. @throws IllegalStateException if it has ended */
+    /**
+     * The report so far.
+     *
+     * @throws IllegalStateException if it has ended
+     */
     ShadowReport report();
 
     /**

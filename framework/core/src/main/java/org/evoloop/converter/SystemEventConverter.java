@@ -54,7 +54,11 @@ public final class SystemEventConverter implements AutoCloseable {
         this.delegate = DELEGATES.make(config);
     }
 
-    /** Adds a monitor, also while the converter runs. @throws IllegalStateException if the name is taken */
+    /**
+     * Adds a monitor, also while the converter runs.
+     *
+     * @throws IllegalStateException if the name is taken
+     */
     public void addMonitor(EventMonitor monitor) {
         delegate.add(monitor);
     }
@@ -157,7 +161,11 @@ public final class SystemEventConverter implements AutoCloseable {
         delegate.build();
     }
 
-    /** Opens the loop; does nothing if it is open. @throws IllegalStateException if it is not built, or has ended */
+    /**
+     * Opens the loop; does nothing if it is open.
+     *
+     * @throws IllegalStateException if it is not built, or has ended
+     */
     public void start() {
         delegate.start();
     }
@@ -297,12 +305,20 @@ public final class SystemEventConverter implements AutoCloseable {
         return delegate.clock();
     }
 
-    /** The converter's present knowledge. @throws IllegalStateException if it is not built yet */
+    /**
+     * The converter's present knowledge.
+     *
+     * @throws IllegalStateException if it is not built yet
+     */
     public StateKnowledge knowledge() {
         return delegate.knowledge();
     }
 
-    /** What its execute components can send to the device. @throws IllegalStateException if it is not built yet */
+    /**
+     * What its execute components can send to the device.
+     *
+     * @throws IllegalStateException if it is not built yet
+     */
     public Set<Event> sendableEvents() {
         return delegate.sendableEvents();
     }
@@ -312,7 +328,11 @@ public final class SystemEventConverter implements AutoCloseable {
         return delegate.controllerEvents();
     }
 
-    /** A snapshot of the status. @throws IllegalStateException if the converter is not built yet */
+    /**
+     * A snapshot of the status.
+     *
+     * @throws IllegalStateException if the converter is not built yet
+     */
     public ConverterStatus status() {
         return delegate.status();
     }

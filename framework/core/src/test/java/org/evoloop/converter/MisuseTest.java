@@ -204,6 +204,9 @@ class MisuseTest {
         assertThatThrownBy(() -> knowledge.timer("SpotWait", null, Duration.ZERO))
                 .hasMessage("the name of an event is null");
         assertThatThrownBy(() -> panel.press(null)).hasMessage("the name of an event is null");
+        assertThatThrownBy(() -> panel.press(" "))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("the event that is pressed has no name; press one of the models' events");
         converter.addSpare("spare", () -> null);
         converter.addKnowledge(knowledge);
         converter.addExecute(device);

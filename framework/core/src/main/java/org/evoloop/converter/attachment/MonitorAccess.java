@@ -28,7 +28,11 @@ public interface MonitorAccess {
     /** Sets the names by which it reports events. */
     void useNames(EventNames names);
 
-    /** Refuses names that do not fit. @throws IllegalArgumentException if it reports an event that is not among {@code names} */
+    /**
+     * Refuses names that do not fit.
+     *
+     * @throws IllegalArgumentException if it reports an event that is not among {@code names}
+     */
     void requireKnown(EventNames names);
 
     /** Those that the device takes by itself. */

@@ -170,7 +170,11 @@ public final class Bindings implements Predicate<String> {
         return asked;
     }
 
-    /** Runs an effect. @throws IllegalStateException if nothing is bound to {@code text} */
+    /**
+     * Runs an effect.
+     *
+     * @throws IllegalStateException if nothing is bound to {@code text}
+     */
     public void run(String text, Values values) throws Exception {
         Action effect = effects.get(text);
         if (effect == null) {

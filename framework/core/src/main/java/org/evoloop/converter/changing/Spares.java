@@ -30,7 +30,9 @@ final class Spares {
     }
 
     /**
-     * Makes the component of this name. @throws IllegalArgumentException if there is none; the message lists the names
+     * Makes the component of this name.
+     *
+     * @throws IllegalArgumentException if there is none; the message lists the names
      */
     Component make(String name) {
         Supplier<? extends Component> supplier;

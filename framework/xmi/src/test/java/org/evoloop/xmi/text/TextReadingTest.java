@@ -54,6 +54,11 @@ class TextReadingTest {
     }
 
     @Test
+    void aCommentAtTheEndOfALineIsIgnoredInPlantUml() {
+        assertThat(plantUml("[*] --> A /' first '/", "A --> B : go /' and '/")).contains(START, "A -> B : go");
+    }
+
+    @Test
     void theKeywordsDeclareSpontaneousAndUrgentEvents() {
         StateMachine machine = file(
                         "lamp.mmd",

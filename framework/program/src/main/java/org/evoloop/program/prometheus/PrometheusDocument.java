@@ -1,4 +1,4 @@
-package org.evoloop.metrics;
+package org.evoloop.program.prometheus;
 
 import io.micrometer.core.instrument.binder.jvm.JvmMemoryMetrics;
 import io.micrometer.core.instrument.binder.jvm.JvmThreadMetrics;
@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.function.Supplier;
 import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.metrics.ConverterMetrics;
 import org.evoloop.page.Document;
 
 /**

@@ -1,4 +1,4 @@
-package org.evoloop.metrics;
+package org.evoloop.program.prometheus;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package org.evoloop.metrics;
+package org.evoloop.program.prometheus;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -31,7 +31,7 @@ import org.junit.jupiter.api.Timeout;
 
 /** What Prometheus gets from the page of the paper's light bulb. */
 @Timeout(60)
-class MetricsTest {
+class PrometheusDocumentTest {
     private final ConverterHarness lamp = lamp("lamp");
     private final ConverterHarness other = lamp("other \"lamp\"");
     private final Cable cable = new Cable();
