@@ -268,6 +268,8 @@ class ExplorationTest {
                         scene.with(2, Act.PRESS, Act.OWN),
                         scene.with(2, Act.PRESS).with(1, Act.OWN, Act.STOP, Act.FAIL),
                         scene.with(2, Act.PRESS).with(1, Act.GIVE_UP, Act.JUMP),
+                        scene.outOfOrder().with(2, Act.PRESS).with(1, Act.OWN, Act.JUMP),
+                        scene.with(1, Act.PRESS, Act.END, Act.JUMP),
                         scene.with(2, Act.PRESS).with(1, Act.OWN, Act.END, Act.ASK)));
         Stream<Scene> random = LongStream.concat(LongStream.rangeClosed(1, 8), LongStream.of(new Random().nextLong()))
                 .mapToObj(RandomPair::needing)

@@ -54,7 +54,8 @@ final class Invariants {
                         invariants.functionsStartWhereTheDeviceIsNeeded(),
                         invariants.nothingIsDecidedWithTheDeviceElsewhere(),
                         invariants.plansReachTheDeviceState(),
-                        invariants.anInterruptedPlanEndsWhereItLed())
+                        invariants.anInterruptedPlanEndsWhereItLed(),
+                        invariants.whatIsDecidedAgainIsNoOtherPress())
                 .stream()
                 .filter(problem -> !problem.isEmpty())
                 .findFirst()
@@ -438,6 +439,7 @@ final class Invariants {
         for (Output output : said) {
             if (output instanceof Output.Decided decided
                     && !decided.pending().goesFirst()
+                    && !isInDoubtAbout(decided.pending())
                     && !isWhereNeeded(before.at())) {
                 return "elsewhere: " + decided + " with the device where it is not needed";
             }
@@ -465,7 +467,7 @@ final class Invariants {
         Doubt doubt = before.doubt();
         Decision interrupted = doubt == null ? null : doubt.interrupted();
         boolean decided =
-                input instanceof Input.Located || (input instanceof Input.Planned && isOfReport(before.work()));
+                input instanceof Input.Located || (input instanceof Input.Planned && tellsWhere(before.work()));
         if (interrupted == null
                 || !decided
                 || isInDoubt(after)
@@ -481,8 +483,28 @@ final class Invariants {
                 : "interrupted: " + interrupted + " ends in " + after.at();
     }
 
-    private static boolean isOfReport(@Nullable Work work) {
-        return work != null && work.pending().occurrence() instanceof Occurrence.Found;
+    private static boolean tellsWhere(@Nullable Work work) {
+        return work != null
+                && (work.pending().occurrence() instanceof Occurrence.Found
+                        || work.pending().occurrence() instanceof Occurrence.InDoubt);
+    }
+
+    private boolean isInDoubtAbout(Pending pending) {
+        Doubt doubt = before.doubt();
+        return doubt != null && doubt.number() == pending.number();
+    }
+
+    /** Once it is known where the device is, the new model does not follow it to where what is decided again has sent it. */
+    private String whatIsDecidedAgainIsNoOtherPress() {
+        boolean follows = !before.followOwed() && after.followOwed() && !isInDoubt(after);
+        boolean answers = input instanceof Input.Located
+                || (input instanceof Input.Observed observed && observed.occurrence() instanceof Occurrence.Found);
+        return follows
+                        && answers
+                        && before.waiting().stream().noneMatch(Pending::hasHappened)
+                        && after.waiting().stream().anyMatch(this::isInDoubtAbout)
+                ? "another: the new model follows to " + after.at() + " what " + after.waiting() + " has done"
+                : "";
     }
 
     /** No function runs while the device may be sent to where the new model is; a closed converter sends nothing. */
