@@ -46,6 +46,39 @@ public abstract class EventExecute extends Execute<ChangePlan> {
         super(name);
     }
 
+    /** How a component made by {@link #of} sends. */
+    @FunctionalInterface
+    public interface Sending {
+        /**
+         * Sends the event of {@code step}, see {@link EventExecute#send}.
+         *
+         * @throws Exception any failure: the event had no effect
+         */
+        void send(Step step) throws Exception;
+    }
+
+    /**
+     * A component that only sends.
+     *
+     * @param name its name in the console, unique within a converter
+     * @param events that it can send, see {@link #sendableEvents}
+     */
+    public static EventExecute of(String name, Set<String> events, Sending sending) {
+        Set<String> sendable = Set.copyOf(events);
+        requireNonNull(sending, "how " + name + " sends is null");
+        return new EventExecute(name) {
+            @Override
+            protected Set<String> sendableEvents() {
+                return sendable;
+            }
+
+            @Override
+            protected void send(Step step) throws Exception {
+                sending.send(step);
+            }
+        };
+    }
+
     /**
      * The events that {@link #send} can send; plans consist only of these. Called when the converter is built; the
      * result must not change. Events that the device raises by itself do not belong here.
