@@ -159,7 +159,8 @@ public final class DeviceFile {
     private static final class Reader {
         /** Whatever has one of these keys is a rule, and no short form. */
         private static final Set<String> RULE_KEYS =
-                Set.of("from", "values", "event", "state", "line", "topic", "json", "pattern", "ranges", "steady");
+                Set.of(
+                "from", "values", "event", "state", "line", "topic", "json", "pattern", "ranges", "steady", "contact");
 
         private final Section file;
         private final FileModels models;

@@ -1,5 +1,6 @@
 package org.evoloop.device;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -71,9 +72,10 @@ public final class DeviceProgram {
                 .converter(file.name(), new DeviceProgram(file)::assemble);
     }
 
-    private void assemble(ProgramSetup setup) {
+    private void assemble(ProgramSetup setup) throws IOException {
         setup.controller(new PushMonitor("Console"));
-        if (setup.settings().get(SIMULATE).orElse(false)) {
+        // What is only shown touches no device.
+        if (setup.settings().isOn(SIMULATE) || setup.settings().isOnlyShown()) {
             simulate(setup);
         } else {
             connect(setup);
@@ -95,7 +97,7 @@ public final class DeviceProgram {
                 () -> device.put(setup.converter().status().states().original().name()));
     }
 
-    private void connect(ProgramSetup setup) {
+    private void connect(ProgramSetup setup) throws IOException {
         List<DeviceLink> links = new ArrayList<>();
         for (Connection connection : file.connections()) {
             Parts parts = connection.assemble(setup.converter());
