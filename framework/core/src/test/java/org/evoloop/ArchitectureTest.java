@@ -15,6 +15,8 @@ import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.lang.ConditionEvents;
 import com.tngtech.archunit.lang.SimpleConditionEvent;
 import com.tngtech.archunit.library.Architectures;
+import com.tngtech.archunit.library.dependencies.SliceAssignment;
+import com.tngtech.archunit.library.dependencies.SliceIdentifier;
 import com.tngtech.archunit.library.dependencies.SlicesRuleDefinition;
 import java.time.Clock;
 import java.time.Instant;
@@ -25,6 +27,7 @@ import java.time.ZonedDateTime;
 import java.util.Random;
 import java.util.Timer;
 import java.util.UUID;
+import org.evoloop.loop.Component;
 
 /**
  * The packages of the core module and the dependencies allowed between them; those between modules are in module-info.
@@ -52,8 +55,22 @@ class ArchitectureTest {
             .definedBy("org.evoloop.loop..")
             .layer("function")
             .definedBy("org.evoloop.function..")
+            .layer("rehearsal")
+            .definedBy("org.evoloop.rehearsal..")
+            .layer("binding")
+            .definedBy("org.evoloop.converter.binding..")
+            .layer("attachment")
+            .definedBy("org.evoloop.converter.attachment..")
             .layer("converter")
-            .definedBy("org.evoloop.converter..")
+            .definedBy("org.evoloop.converter")
+            .layer("recording")
+            .definedBy("org.evoloop.converter.recording..")
+            .layer("running")
+            .definedBy("org.evoloop.converter.running..")
+            .layer("changing")
+            .definedBy("org.evoloop.converter.changing..")
+            .layer("edge")
+            .definedBy("org.evoloop.converter.edge..")
             .whereLayer("statemachine")
             .mayNotAccessAnyLayer()
             .whereLayer("time")
@@ -70,13 +87,96 @@ class ArchitectureTest {
             .mayOnlyAccessLayers("time", "flight")
             .whereLayer("function")
             .mayOnlyAccessLayers("evolution", "loop", "time", "statemachine")
+            .whereLayer("rehearsal")
+            .mayOnlyAccessLayers("engine", "evolution", "statemachine")
+            .whereLayer("binding")
+            .mayOnlyAccessLayers("loop", "evolution", "time", "statemachine")
+            .whereLayer("attachment")
+            .mayOnlyAccessLayers("binding", "loop", "function", "evolution", "statemachine")
             .whereLayer("converter")
             .mayOnlyAccessLayers(
-                    "engine", "migration", "loop", "function", "flight", "evolution", "time", "statemachine");
+                    "attachment",
+                    "binding",
+                    "engine",
+                    "rehearsal",
+                    "migration",
+                    "loop",
+                    "function",
+                    "evolution",
+                    "time",
+                    "statemachine")
+            .whereLayer("recording")
+            .mayOnlyAccessLayers("converter", "engine", "loop", "flight", "evolution", "time", "statemachine")
+            .whereLayer("running")
+            .mayOnlyAccessLayers(
+                    "recording",
+                    "converter",
+                    "attachment",
+                    "binding",
+                    "engine",
+                    "rehearsal",
+                    "migration",
+                    "loop",
+                    "function",
+                    "flight",
+                    "evolution",
+                    "time",
+                    "statemachine")
+            .whereLayer("changing")
+            .mayOnlyAccessLayers(
+                    "running",
+                    "recording",
+                    "converter",
+                    "attachment",
+                    "engine",
+                    "migration",
+                    "loop",
+                    "evolution",
+                    "time",
+                    "statemachine")
+            .whereLayer("edge")
+            .mayOnlyAccessLayers(
+                    "running",
+                    "recording",
+                    "converter",
+                    "attachment",
+                    "binding",
+                    "engine",
+                    "loop",
+                    "evolution",
+                    "statemachine");
 
     @ArchTest
     static final ArchRule noRoomsLeadInACircle =
             SlicesRuleDefinition.slices().matching("org.evoloop.(**)").should().beFreeOfCycles();
+
+    /** Whoever reads a file of these rooms need not have read another one that needs this one. */
+    @ArchTest
+    static final ArchRule noFilesLeadInACircle = SlicesRuleDefinition.slices()
+            .assignedFrom(new FilesOfTheLoopAndTheConverter())
+            .should()
+            .beFreeOfCycles();
+
+    private static final class FilesOfTheLoopAndTheConverter implements SliceAssignment {
+        @Override
+        public SliceIdentifier getIdentifierOf(JavaClass item) {
+            if (!resideInAnyPackage("org.evoloop.loop", CONVERTER).test(item)) {
+                return SliceIdentifier.ignore();
+            }
+            JavaClass file = item;
+            while (file.getEnclosingClass().isPresent()) {
+                file = file.getEnclosingClass().get();
+            }
+            // A sealed class and those that it permits name each other.
+            boolean sealed = file.getPackageName().equals("org.evoloop.loop") && file.isAssignableTo(Component.class);
+            return SliceIdentifier.of(sealed ? Component.class.getName() : file.getName());
+        }
+
+        @Override
+        public String getDescription() {
+            return "files of the loop and the converter";
+        }
+    }
 
     @ArchTest
     static final ArchRule threadsBeginInTheirRooms = noClasses()

@@ -7,6 +7,9 @@ import java.util.HashSet;
 import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.Predicate;
+import org.evoloop.converter.attachment.EventsByName;
+import org.evoloop.converter.attachment.Friends;
+import org.evoloop.converter.attachment.MonitorAccess;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.EventNames;
 import org.evoloop.evolution.Occurrence;
@@ -34,6 +37,10 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     /** Of an event made before this monitor was part of a converter, which has the code of the guards. */
     private static final Set<String> NOT_EVALUATED = Collections.unmodifiableSet(new HashSet<>());
 
+    static {
+        Friends.MONITOR.give(monitor -> ((EventMonitor) monitor).new Access());
+    }
+
     private volatile @Nullable EventNames eventNames;
     private volatile @Nullable LoopConfig config;
     private volatile @Nullable MapeLoop<Occurrence, ?, ?> loop;
@@ -48,27 +55,36 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         super(name);
     }
 
-    /**
-     * @param holding the guards that the original model draws for an event and that hold now, by its values
-     * @param own whether only the device can raise an event
-     */
-    final void attach(
-            LoopConfig loopConfig,
-            MapeLoop<Occurrence, ?, ?> joined,
-            EventNames names,
-            BiFunction<Event, Values, Set<String>> holding,
-            Predicate<Event> own) {
-        devicesOwn = own;
-        eventNames = names;
-        config = loopConfig;
-        loop = joined;
-        guards = holding;
-        attached(names, loopConfig.clock());
-    }
+    private final class Access implements MonitorAccess {
+        @Override
+        public void attach(
+                LoopConfig loopConfig,
+                MapeLoop<Occurrence, ?, ?> joined,
+                EventNames names,
+                BiFunction<Event, Values, Set<String>> holding,
+                Predicate<Event> own) {
+            devicesOwn = own;
+            eventNames = names;
+            config = loopConfig;
+            loop = joined;
+            guards = holding;
+            attached(names, loopConfig.clock());
+        }
 
-    /** Sets the names by which it reports events. */
-    final void useNames(EventNames names) {
-        eventNames = names;
+        @Override
+        public void useNames(EventNames names) {
+            eventNames = names;
+        }
+
+        @Override
+        public void requireKnown(EventNames names) {
+            EventMonitor.this.requireKnown(names);
+        }
+
+        @Override
+        public Set<Event> spontaneousEvents() {
+            return EventsByName.of(name() + ".spontaneousEvents()", EventMonitor.this.spontaneousEvents());
+        }
     }
 
     /** @throws IllegalArgumentException if it reports an event that is not among {@code names} */

@@ -46,7 +46,7 @@ public class PushMonitor extends EventMonitor {
      * A control of the controller was operated.
      *
      * @throws IllegalArgumentException if neither model knows the event, and then the message lists the most similar
-     *     names, or if only the device can raise it
+     *     names, if it has no name, or if only the device can raise it
      * @throws IllegalStateException if, and only if, the event is lost: the converter is not running, has no room for it
      *     in its queue or cannot write its journal, or this monitor is not part of one
      */
@@ -56,6 +56,10 @@ public class PushMonitor extends EventMonitor {
 
     /** As {@link #press(String)}, for an event with {@code values}. */
     public final void press(String event, Values values) {
+        if (Objects.requireNonNull(event, "the name of an event is null").isBlank()) {
+            throw new IllegalArgumentException(
+                    "the event that is pressed has no name; press one of the models' events");
+        }
         Occurrence pressed = fromController(event, values);
         requirePressable(pressed);
         Admission atOnce = answerAtOnce(pressed);

@@ -10,28 +10,31 @@ import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.OnFailure;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
-/** The second half of the core: how the occurrence in progress is carried out, step by step, and how it ends. */
-abstract sealed class Conversion extends Arrivals permits Core {
+/** The part of a core by which the occurrence in progress is carried out, step by step, and ends. */
+final class Conversion {
+    static final String FOUND_MEANWHILE = "the device was found meanwhile";
+
     private static final String DISMISSED = "dismissed";
     private static final String PROCESS_ENDED = "the converter's process ended meanwhile";
 
     /** How often the device may overtake the plans for one occurrence. */
     static final int MOST_ATTEMPTS = 8;
 
+    private final Ledger ledger;
     private final Progress progress;
 
     Conversion(Ledger ledger) {
-        super(ledger);
+        this.ledger = ledger;
         this.progress = ledger.progress;
     }
 
-    @Override
-    public final void planned(long number, Decision decision, long atNanos) {
+    void planned(long number, Decision decision, long atNanos) {
         ledger.isAt(atNanos);
         if (progress.isOf(number) && progress.isResumed()) {
             progress.proceed();
@@ -46,8 +49,16 @@ abstract sealed class Conversion extends Arrivals permits Core {
             return;
         }
         Pending pending = progress.pending();
-        if (!pending.isUrgent() && ledger.isToFollowFirst()) {
+        if (!pending.goesFirst() && ledger.isToFollowFirst()) {
             again(pending, "what the device did by itself is heard first");
+            return;
+        }
+        Pending urgent = pending.hasHappened() ? null : ledger.makesWayFor();
+        if (urgent != null && pending.broken() == null) {
+            again(pending, urgent.occurrence().label() + " is urgent and goes first");
+            return;
+        } else if (urgent != null) {
+            conclude(number, Outcome.FAILED, afterBroken(pending, endedBy(urgent)));
             return;
         }
         Decision decided = reported(pending, decision);
@@ -92,13 +103,15 @@ abstract sealed class Conversion extends Arrivals permits Core {
         }
     }
 
-    @Override
-    public final void sending(long number) {
+    void sending(long number) {
         Step step = progress.isOf(number) && !progress.isSending() ? progress.step() : null;
         if (step == null) {
             return;
         }
-        if (!step.source().equals(ledger.place.at().original())) {
+        Pending urgent = ledger.makesWayFor();
+        if (urgent != null) {
+            conclude(number, Outcome.FAILED, afterBroken(progress.pending(), endedBy(urgent)));
+        } else if (!step.source().equals(ledger.place.at().original())) {
             again("the device left " + step.source() + " by itself");
         } else if (ledger.line.holdsDoubt()) {
             again("the device has to be asked first where it is");
@@ -107,8 +120,12 @@ abstract sealed class Conversion extends Arrivals permits Core {
         }
     }
 
-    @Override
-    public final void sent(long number, boolean inOrder, long atNanos) {
+    /** For people. */
+    private static String endedBy(Pending urgent) {
+        return "ended by " + urgent.occurrence().label() + ", which is urgent";
+    }
+
+    void sent(long number, boolean inOrder, long atNanos) {
         ledger.isAt(atNanos);
         Step step = stepOnItsWay(number);
         if (step == null) {
@@ -151,7 +168,7 @@ abstract sealed class Conversion extends Arrivals permits Core {
         Occurrence impossible = Overlap.impossible(ledger.rules.table(), start, step, meanwhile, stepLast);
         if (impossible != null) {
             ledger.followOwed = true;
-            ledger.contradicted(contradiction(impossible, start));
+            ledger.contradicted(impossible, start);
         }
     }
 
@@ -197,15 +214,13 @@ abstract sealed class Conversion extends Arrivals permits Core {
                 && Overlap.alwaysEndsIn(target, ledger.rules.table(), step, doubt.meanwhile());
     }
 
-    @Override
-    public final void running(long number) {
+    void running(long number) {
         if (progress.isOf(number) && progress.step() == null && progress.effect() != null) {
             progress.run();
         }
     }
 
-    @Override
-    public final void effectRun(long number, String failure, long atNanos) {
+    void effectRun(long number, String failure, long atNanos) {
         ledger.isAt(atNanos);
         if (progress.isOf(number) && progress.isRunning()) {
             progress.ran(failure);
@@ -276,8 +291,7 @@ abstract sealed class Conversion extends Arrivals permits Core {
         ledger.out.overtaken(next.occurrence(), why);
     }
 
-    @Override
-    public final void failed(long number, String reason, long atNanos) {
+    void failed(long number, String reason, long atNanos) {
         ledger.isAt(atNanos);
         if (!progress.isOf(number)) {
             return;
@@ -307,7 +321,7 @@ abstract sealed class Conversion extends Arrivals permits Core {
         Decision decision = progress.decision();
         Transition transition = decision == null ? null : decision.transition();
         Step failed = progress.step();
-        if (decision == null || transition == null || failed == null || !ledger.open) {
+        if (decision == null || transition == null || failed == null || !ledger.open || ledger.makesWayFor() != null) {
             return null;
         }
         OnFailure then = ledger.rules.table().device().onFailure(transition);
@@ -323,8 +337,7 @@ abstract sealed class Conversion extends Arrivals permits Core {
         return isPossible ? new BrokenPlan(then, reason, begun, all) : null;
     }
 
-    @Override
-    public final void dismissed(long number, long atNanos) {
+    void dismissed(long number, long atNanos) {
         ledger.isAt(atNanos);
         if (hasObeyed(number)) {
             breakOff(number, DISMISSED);
@@ -369,8 +382,8 @@ abstract sealed class Conversion extends Arrivals permits Core {
         arrive();
     }
 
-    @Override
-    final void conclude(long number, Outcome outcome, String reason) {
+    /** The occurrence in progress ends, whatever is left of its plan. */
+    void conclude(long number, Outcome outcome, String reason) {
         if (progress.isOf(number)) {
             long visit = ledger.stay.number();
             ledger.start(visit, end(outcome, reason));
@@ -390,8 +403,7 @@ abstract sealed class Conversion extends Arrivals permits Core {
         return ledger.enterAgain(pending.occurrence());
     }
 
-    @Override
-    public final void givenUp(long number, String reason, long atNanos) {
+    void givenUp(long number, String reason, long atNanos) {
         ledger.isAt(atNanos);
         giveUp(number, reason);
     }
@@ -415,7 +427,7 @@ abstract sealed class Conversion extends Arrivals permits Core {
     }
 
     /** The thread that carried out the plan is gone. What was begun and not reported as finished is not begun again. */
-    final void interrupt() {
+    void interrupt() {
         if (progress.isSending()) {
             giveUp(progress.pending().number(), PROCESS_ENDED);
         } else if (!progress.isIdle() && progress.decision() == null) {
@@ -435,20 +447,19 @@ abstract sealed class Conversion extends Arrivals permits Core {
      * Ends an interrupted plan, since the converter closes. If the device has already acted or obeyed, the plan stays,
      * and is resumed when the converter is opened again.
      */
-    final void dropInterrupted() {
+    void dropInterrupted() {
         if (progress.isInterrupted() && !progress.pending().hasHappened() && progress.step() != null) {
             conclude(progress.pending().number(), Outcome.FAILED, PROCESS_ENDED);
         }
     }
 
     /** Whether an interrupted plan waits that had already left the current state. */
-    final boolean isLeaving() {
+    boolean isLeaving() {
         Decision decision = progress.decision();
         return progress.isInterrupted() && decision != null && decision.leavesState();
     }
 
-    @Override
-    public final void located(long number, @Nullable State state, long atNanos) {
+    void located(long number, @Nullable State state, long atNanos) {
         ledger.isAt(atNanos);
         if (!progress.isOf(number)) {
             return;

@@ -6,6 +6,7 @@ import java.util.Set;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Event;
@@ -39,12 +40,12 @@ final class Ledger {
 
     Ledger(Rules rules, Snapshot snapshot, Outputs out) {
         this.out = out;
+        this.rules = rules;
         this.place = new Place(snapshot);
         this.counts = new Counts(snapshot.tally());
-        this.line = new Line(snapshot, counts, this::isDeferred);
+        this.line = new Line(snapshot, counts, this::isDeferred, this::isUrgent);
         this.stay = new Stay(snapshot.visit());
         this.progress = new Progress(snapshot.work());
-        this.rules = rules;
         restore(rules, snapshot);
     }
 
@@ -85,6 +86,37 @@ final class Ledger {
         return !pending.hasHappened()
                 && pending.occurrence() instanceof Occurrence.Heard heard
                 && rules.table().defers(place.at(), heard.event());
+    }
+
+    private boolean isUrgent(Pending pending) {
+        return rules.isUrgent(pending);
+    }
+
+    /** Other rules apply from now on. */
+    void becomes(Rules others) {
+        rules = others;
+        // What is urgent may be another.
+        line.replace(pending -> pending);
+    }
+
+    /**
+     * The urgent event for which the occurrence in progress has to make way; null if there is none, or the new model
+     * would not take it where it is.
+     */
+    @Nullable
+    Pending makesWayFor() {
+        return progress.isIdle() || isUrgent(progress.pending()) ? null : nextUrgent();
+    }
+
+    private @Nullable Pending nextUrgent() {
+        return line.firstUrgent(pending ->
+                rules.table().models().evolved().hasTrigger(place.at().evolved(), trigger(pending))
+                        && (pending.occurrence().visit() == Occurrence.ANY_VISIT
+                                || stay.isCurrent(pending.occurrence().visit())));
+    }
+
+    private static Event trigger(Pending urgent) {
+        return ((Occurrence.Heard) urgent.occurrence()).event().trigger();
     }
 
     /** Advances the time; earlier observations may still be reported later. */
@@ -157,12 +189,18 @@ final class Ledger {
 
     /**
      * Enters the current state anew if its visit has ended without another state being entered; returns whether it has.
-     * Where the device is elsewhere than the state needs it, the new model follows instead.
+     * Where the device is elsewhere than the state needs it, the new model follows instead; an urgent event is decided
+     * before that.
      *
      * @param after the occurrence that has ended; after a takeover the timers keep their remaining time
      */
     boolean enterAgain(Occurrence after) {
-        boolean again = stay.isOver() && open && !line.isRetryNext() && !isSettling() && isWhereNeeded();
+        boolean again = stay.isOver()
+                && open
+                && !line.isRetryNext()
+                && nextUrgent() == null
+                && !isSettling()
+                && isWhereNeeded();
         if (again && after instanceof Occurrence.Evolved) {
             enterAsLeft();
         } else if (again) {
@@ -209,8 +247,9 @@ final class Ledger {
         }
     }
 
-    /** The device has reported what it cannot have done from its recorded state, so that is wrong. */
-    void contradicted(String why) {
+    /** The device has reported {@code fact}, which it cannot have done in {@code from}: the record is wrong. */
+    void contradicted(Occurrence fact, State from) {
+        String why = "the device reports " + fact.label() + ", which is impossible in " + from;
         if (place.doubt() == null) {
             place.doubt(Doubt.contradicted(place.lastDoubt(), why));
             out.doubted(why);

@@ -45,7 +45,7 @@ public record Pending(
     }
 
     /** Whether it has its turn before what is only asked for: a fact, or the recovery from a plan that has failed. */
-    boolean isUrgent() {
+    boolean goesFirst() {
         return hasHappened() || broken != null;
     }
 

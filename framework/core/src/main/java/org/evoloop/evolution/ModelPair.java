@@ -2,6 +2,7 @@ package org.evoloop.evolution;
 
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
@@ -88,6 +89,29 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
             throw new ModelException("the new model '" + evolved.name() + "': "
                     + deviceStates.stream().map(DeviceStateProblem::toString).collect(Collectors.joining("; ")));
         }
+    }
+
+    /** The events that are {@linkplain StateMachine#urgent urgent} in either model. */
+    public Set<Event> urgent() {
+        Set<Event> all = new LinkedHashSet<>(evolved.urgent());
+        all.addAll(original.urgent());
+        return all;
+    }
+
+    /** Whether any event is {@linkplain StateMachine#urgent urgent} in either model. */
+    public boolean hasUrgent() {
+        return !evolved.urgent().isEmpty() || !original.urgent().isEmpty();
+    }
+
+    /** Whether {@code event} is {@linkplain StateMachine#urgent urgent} in either model, with or without guards. */
+    public boolean isUrgent(Event event) {
+        Event trigger = event.trigger();
+        return evolved.urgent().contains(trigger) || original.urgent().contains(trigger);
+    }
+
+    /** The same models without urgent events. */
+    public ModelPair withoutUrgent() {
+        return new ModelPair(original.withoutUrgent(), evolved.withoutUrgent());
     }
 
     /** The initial states of both machines. */

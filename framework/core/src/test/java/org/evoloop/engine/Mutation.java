@@ -170,7 +170,7 @@ enum Mutation {
             List<Pending> waiting = before.waiting();
             return input instanceof Input.Ready
                             && !waiting.isEmpty()
-                            && !waiting.get(0).isUrgent()
+                            && !waiting.get(0).goesFirst()
                     ? waiting.subList(1, waiting.size())
                     : List.of();
         }
@@ -179,6 +179,32 @@ enum Mutation {
         @Override
         List<Pending> hidden(Snapshot before, Input input) {
             return input instanceof Input.Planned ? before.waiting() : List.of();
+        }
+    },
+    WHAT_IS_URGENT_HAS_NO_PLACE_OF_ITS_OWN("urgent", Scene.lift().with(2, Act.PRESS)) {
+        @Override
+        boolean isLost(Snapshot before, Input input) {
+            return isLostInAFullQueue(before, input);
+        }
+    },
+    WHAT_IS_URGENT_WAITS_FOR_ITS_TURN("urgent", Scene.lift().with(2, Act.PRESS)) {
+        @Override
+        List<Pending> hidden(Snapshot before, Input input) {
+            List<Pending> waiting = before.waiting();
+            return input instanceof Input.Ready && waiting.size() > 1 ? waiting.subList(1, waiting.size()) : List.of();
+        }
+    },
+    A_REQUEST_THAT_HAS_BEGUN_IS_DECIDED_BEFORE_WHAT_IS_URGENT(
+            "urgent", Scene.lift().with(2, Act.PRESS)) {
+        @Override
+        List<Pending> hidden(Snapshot before, Input input) {
+            return input instanceof Input.Planned ? before.waiting() : List.of();
+        }
+    },
+    A_PLAN_GOES_ON_WHILE_WHAT_IS_URGENT_WAITS("urgent", Scene.lift().with(2, Act.PRESS)) {
+        @Override
+        List<Pending> hidden(Snapshot before, Input input) {
+            return input instanceof Input.Sending ? before.waiting() : List.of();
         }
     },
     A_STEP_IS_ASKED_FOR_TWICE("sent", Scene.bulb().with(1, Act.PRESS)) {

@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
-import org.evoloop.converter.EdgeShell;
+import org.evoloop.converter.edge.EdgeShell;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.mqtt.BrokerAddress;
 import org.evoloop.mqtt.BrokerConnection;

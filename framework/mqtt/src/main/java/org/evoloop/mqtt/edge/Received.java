@@ -1,6 +1,6 @@
 package org.evoloop.mqtt.edge;
 
-import org.evoloop.converter.EdgeShell;
+import org.evoloop.converter.edge.EdgeShell;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
 import org.evoloop.payload.JsonRecord;
