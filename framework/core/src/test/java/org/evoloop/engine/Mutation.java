@@ -438,6 +438,40 @@ enum Mutation implements Removal {
             return Snapshots.followOwed(after, after.followOwed() || (waits && !isWhereNeeded));
         }
     },
+    A_SWAP_KEEPS_A_STATE_WITH_THE_DEVICE_ELSEWHERE(
+            "needed", DeviceStateScenes.restingFan().with(2, Act.PRESS).with(1, Act.FAIL, Act.EVOLVE)) {
+        @Override
+        public Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.Evolved ? Snapshots.followOwed(after, before.followOwed()) : after;
+        }
+    },
+    A_TIMER_KEEPS_THE_TIME_BEFORE_THE_DEVICE_ARRIVED(
+            "time", DeviceStateScenes.boostedFan().with(1, Act.PRESS, Act.EVOLVE)) {
+        private boolean arrives(Snapshot before, Input input) {
+            return input instanceof Input.Sent && Snapshots.isOfOtherModels(before.work());
+        }
+
+        @Override
+        public Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return arrives(before, input)
+                    ? Snapshots.visit(
+                            after, Snapshots.due(after.visit(), before.visit().deadlines()))
+                    : after;
+        }
+
+        @Override
+        public List<Output> unsay(Snapshot before, Input input, List<Output> said) {
+            return said.stream()
+                    .map(output -> arrives(before, input) && output instanceof Output.Enter enter
+                            ? new Output.Enter(
+                                    enter.visit(),
+                                    enter.state(),
+                                    enter.by(),
+                                    before.visit().deadlines())
+                            : output)
+                    .toList();
+        }
+    },
     WHAT_ENDS_IS_NOT_COUNTED("sum", Scene.bulb().with(1, Act.PRESS)) {
         @Override
         public Snapshot undo(Snapshot before, Input input, Snapshot after) {
