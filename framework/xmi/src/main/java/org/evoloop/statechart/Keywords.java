@@ -75,13 +75,14 @@ final class Keywords {
     private static Problem wrong(Place place, String what, String kind, String text, List<String> known) {
         String word = word(text);
         String forms = known == OF_STATES ? "«device STATE» or «sends EVENT, EVENT»" : "«spontaneous» EVENT";
+        boolean second = known == OF_STATES && DeviceUse.parse(text).isPresent();
         boolean right = known.contains(word);
         String meant = right ? "" : Names.meant(word, known);
         return new Problem(
                 place,
-                what + " has the " + (right ? "incomplete or second " : "unknown ") + kind + " '" + Names.shown(text)
-                        + "'",
-                meant.isEmpty() ? "write " + forms : meant.substring(2));
+                what + " has " + (second ? "a second device state, " : right ? "the incomplete " : "the unknown ")
+                        + (second ? "" : kind + " ") + "'" + Names.shown(text) + "'",
+                second ? "keep one" : meant.isEmpty() ? "write " + forms : meant.substring(2));
     }
 
     private static String word(String text) {
