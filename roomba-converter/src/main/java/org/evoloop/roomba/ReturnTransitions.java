@@ -45,8 +45,11 @@ final class ReturnTransitions {
         for (State state : evolved.states()) {
             builder.activities(state.name(), evolved.activities(state));
             builder.device(state.name(), evolved, state);
+            evolved.deferred(state).forEach(event -> builder.defers(state.name(), event));
         }
-        evolved.events().forEach(event -> builder.event(event.name()));
+        evolved.events().forEach(builder::event);
+        evolved.spontaneous().forEach(builder::spontaneous);
+        evolved.urgent().forEach(builder::urgent);
         evolved.transitions().forEach(transition -> builder.transition(transition, ""));
         for (State move : moves) {
             Set<State> targets = new LinkedHashSet<>();

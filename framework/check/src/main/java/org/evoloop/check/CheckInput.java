@@ -49,6 +49,11 @@ public record CheckInput(
         return new CheckInput(pair, other.withBoundGuards(device.boundGuards()), functions, raised, guards, effects);
     }
 
+    /** A copy in which no event is urgent. */
+    public CheckInput withoutUrgent() {
+        return new CheckInput(pair.withoutUrgent(), device, functions, raised, guards, effects);
+    }
+
     /** A copy with events that the device takes by itself and that cannot be sent. */
     public CheckInput withOwnEvents(Set<String> names) {
         Set<Event> sendable = new HashSet<>(device.sendable());

@@ -1,5 +1,7 @@
 package org.evoloop.converter;
 
+import org.evoloop.converter.attachment.DecisionHost;
+import org.evoloop.converter.attachment.Friends;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
@@ -28,7 +30,11 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public class EventAnalyze extends Analyze<Occurrence, Analysis> {
-    private volatile @Nullable CoreDriver driver;
+    static {
+        Friends.ANALYZE.give(analyze -> ((EventAnalyze) analyze)::attach);
+    }
+
+    private volatile @Nullable DecisionHost host;
 
     /** A component named after its class. */
     public EventAnalyze() {}
@@ -38,8 +44,8 @@ public class EventAnalyze extends Analyze<Occurrence, Analysis> {
         super(name);
     }
 
-    final void attach(CoreDriver joined) {
-        driver = joined;
+    private void attach(DecisionHost joined) {
+        host = joined;
     }
 
     /**
@@ -53,14 +59,18 @@ public class EventAnalyze extends Analyze<Occurrence, Analysis> {
     }
 
     private @Nullable Analysis decided(Occurrence occurrence) {
-        CoreDriver attached = driver;
+        DecisionHost attached = host;
         Decision decision = attached == null ? null : attached.decide(occurrence);
         return decision == null ? null : new Analysis(occurrence, decision);
     }
 
-    /** The states of device and evolved system. @throws IllegalStateException if this is not part of a converter */
+    /**
+     * The states of device and evolved system.
+     *
+     * @throws IllegalStateException if this is not part of a converter
+     */
     protected final Configuration configuration() {
-        CoreDriver attached = driver;
+        DecisionHost attached = host;
         if (attached == null) {
             throw new IllegalStateException(name() + " is not part of a converter");
         }
@@ -80,7 +90,7 @@ public class EventAnalyze extends Analyze<Occurrence, Analysis> {
     /** The usual analysis of what keeps the record right; null for any other occurrence. */
     @Override
     protected final @Nullable Analysis unlessDismissed(Occurrence occurrence) {
-        CoreDriver attached = driver;
+        DecisionHost attached = host;
         return attached != null && attached.keepsRecord(occurrence) ? decided(occurrence) : null;
     }
 }

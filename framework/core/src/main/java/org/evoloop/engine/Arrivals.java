@@ -4,6 +4,7 @@ import java.math.BigDecimal;
 import java.util.Locale;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;
@@ -12,27 +13,26 @@ import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
-/** The first half of the core: how occurrences come in, wait, and get their turn. */
-abstract sealed class Arrivals implements Inputs permits Conversion {
-    static final String FOUND_MEANWHILE = "the device was found meanwhile";
-
+/** The part of a core by which occurrences come in, wait, and get their turn. */
+final class Arrivals {
     private static final String VIOLATED = "an assumption about time did not hold";
     private static final String LEFT = "the state that raised it has been left";
     private static final String OVERTAKEN = "the device has been sent an event since";
 
-    final Ledger ledger;
+    private final Ledger ledger;
+    private final Conversion conversion;
 
     // The message for the last event that neither model knows, and the rules by which; not part of the state.
     private @Nullable Event lastUnknown;
     private @Nullable Rules unknownIn;
     private String unknown = "";
 
-    Arrivals(Ledger ledger) {
+    Arrivals(Ledger ledger, Conversion conversion) {
         this.ledger = ledger;
+        this.conversion = conversion;
     }
 
-    @Override
-    public final void observed(Occurrence occurrence) {
+    void observed(Occurrence occurrence) {
         ledger.isAt(occurrence.observedNanos());
         if (occurrence instanceof Occurrence.Found found) {
             find(found);
@@ -80,12 +80,7 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
             ledger.place.moveDevice(likely, ledger.out);
         }
         ledger.followOwed = true;
-        ledger.contradicted(contradiction(fact, from));
-    }
-
-    /** For people. */
-    static String contradiction(Occurrence fact, State from) {
-        return "the device reports " + fact.label() + ", which is impossible in " + from;
+        ledger.contradicted(fact, from);
     }
 
     private void find(Occurrence.Found found) {
@@ -126,8 +121,7 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
         ledger.ended(occurrence, ledger.place.at(), outcome, null, detail);
     }
 
-    @Override
-    public final void timerDue(long visit, Event event, long atNanos) {
+    void timerDue(long visit, Event event, long atNanos) {
         ledger.isAt(atNanos);
         if (ledger.open
                 && ledger.stay.isCurrent(visit)
@@ -175,8 +169,7 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
         }
     }
 
-    @Override
-    public final void ready() {
+    void ready() {
         if (ledger.open && ledger.progress.isInterrupted()) {
             resume(ledger.progress.pending());
         }
@@ -192,11 +185,9 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
         }
     }
 
-    /**
-     * What {@link #ready} would begin when nothing is in progress and the converter is open; null if that is nothing. Its
-     * number is 0 if it has not been observed yet.
-     */
-    public final @Nullable Pending upcoming() {
+    /** See {@link Core#upcoming}. */
+    @Nullable
+    Pending upcoming() {
         if (ledger.progress.isInterrupted() && mayResume(ledger.progress.pending())) {
             return ledger.progress.pending();
         }
@@ -223,7 +214,7 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
             ledger.out.begin(pending);
         } else {
             Outcome outcome = ledger.progress.stepsSent() == 0 ? Outcome.STALE : Outcome.FAILED;
-            conclude(pending.number(), outcome, isOfAnotherVisit(pending) ? LEFT : age(pending));
+            conversion.conclude(pending.number(), outcome, isOfAnotherVisit(pending) ? LEFT : age(pending));
         }
     }
 
@@ -252,11 +243,8 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
                         .toPlainString());
     }
 
-    /** The occurrence in progress ends, whatever is left of its plan. */
-    abstract void conclude(long number, Outcome outcome, String reason);
-
-    /** Whether a function may raise this event without waiting. Controllers' events do not matter for that. */
-    public final boolean hasRoom(Occurrence raised) {
+    /** See {@link Core#hasRoom}. */
+    boolean hasRoom(Occurrence raised) {
         Pending next = new Pending(0, raised, null, null, ledger.place.steps(), 0);
         return ledger.line.hasRoomForFunction(next, ledger.rules, ledger.progress.isIdle());
     }
@@ -294,7 +282,7 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
         }
         ledger.progress.begin(pending);
         if (ledger.rules.isTooOld(pending, ledger.nowNanos)) {
-            conclude(pending.number(), Outcome.STALE, age(pending));
+            conversion.conclude(pending.number(), Outcome.STALE, age(pending));
         } else {
             ledger.out.begin(pending);
         }
@@ -306,6 +294,6 @@ abstract sealed class Arrivals implements Inputs permits Conversion {
             return LEFT;
         }
         boolean found = pending.occurrence() instanceof Occurrence.InDoubt && ledger.place.doubt() == null;
-        return found ? FOUND_MEANWHILE : "";
+        return found ? Conversion.FOUND_MEANWHILE : "";
     }
 }

@@ -1,6 +1,5 @@
 package org.evoloop.engine;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
@@ -9,29 +8,31 @@ import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Occurrence;
-import org.evoloop.evolution.OnFailure;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
-/** The second half of the core: how the occurrence in progress is carried out, step by step, and how it ends. */
-abstract sealed class Conversion extends Arrivals permits Core {
+/** The part of a core by which the occurrence in progress is carried out, step by step, and ends. */
+final class Conversion {
+    static final String FOUND_MEANWHILE = "the device was found meanwhile";
+
     private static final String DISMISSED = "dismissed";
     private static final String PROCESS_ENDED = "the converter's process ended meanwhile";
 
     /** How often the device may overtake the plans for one occurrence. */
     static final int MOST_ATTEMPTS = 8;
 
+    private final Ledger ledger;
     private final Progress progress;
 
     Conversion(Ledger ledger) {
-        super(ledger);
+        this.ledger = ledger;
         this.progress = ledger.progress;
     }
 
-    @Override
-    public final void planned(long number, Decision decision, long atNanos) {
+    void planned(long number, Decision decision, long atNanos) {
         ledger.isAt(atNanos);
         if (progress.isOf(number) && progress.isResumed()) {
             progress.proceed();
@@ -46,8 +47,13 @@ abstract sealed class Conversion extends Arrivals permits Core {
             return;
         }
         Pending pending = progress.pending();
-        if (!pending.isUrgent() && ledger.isToFollowFirst()) {
+        if (!pending.goesFirst() && ledger.isToFollowFirst()) {
             again(pending, "what the device did by itself is heard first");
+            return;
+        }
+        String makesWay = pending.hasHappened() ? "" : ledger.makesWay();
+        if (!makesWay.isEmpty()) {
+            giveWay(pending, makesWay);
             return;
         }
         Decision decided = reported(pending, decision);
@@ -95,13 +101,15 @@ abstract sealed class Conversion extends Arrivals permits Core {
         }
     }
 
-    @Override
-    public final void sending(long number) {
+    void sending(long number) {
         Step step = progress.isOf(number) && !progress.isSending() ? progress.step() : null;
         if (step == null) {
             return;
         }
-        if (!step.source().equals(ledger.place.at().original())) {
+        String makesWay = ledger.makesWay();
+        if (!makesWay.isEmpty()) {
+            conclude(number, Outcome.FAILED, progress.pending().afterBroken(makesWay));
+        } else if (!step.source().equals(ledger.place.at().original())) {
             again("the device left " + step.source() + " by itself");
         } else if (ledger.line.holdsDoubt()) {
             again("the device has to be asked first where it is");
@@ -110,8 +118,7 @@ abstract sealed class Conversion extends Arrivals permits Core {
         }
     }
 
-    @Override
-    public final void sent(long number, boolean inOrder, long atNanos) {
+    void sent(long number, boolean inOrder, long atNanos) {
         ledger.isAt(atNanos);
         Step step = stepOnItsWay(number);
         if (step == null) {
@@ -154,7 +161,7 @@ abstract sealed class Conversion extends Arrivals permits Core {
         Occurrence impossible = Overlap.impossible(ledger.rules.table(), start, step, meanwhile, stepLast);
         if (impossible != null) {
             ledger.followOwed = true;
-            ledger.contradicted(contradiction(impossible, start));
+            ledger.contradicted(impossible, start);
         }
     }
 
@@ -200,15 +207,13 @@ abstract sealed class Conversion extends Arrivals permits Core {
                 && Overlap.alwaysEndsIn(target, ledger.rules.table(), step, doubt.meanwhile());
     }
 
-    @Override
-    public final void running(long number) {
+    void running(long number) {
         if (progress.isOf(number) && progress.step() == null && progress.effect() != null) {
             progress.run();
         }
     }
 
-    @Override
-    public final void effectRun(long number, String failure, long atNanos) {
+    void effectRun(long number, String failure, long atNanos) {
         ledger.isAt(atNanos);
         if (progress.isOf(number) && progress.isRunning()) {
             progress.ran(failure);
@@ -259,6 +264,14 @@ abstract sealed class Conversion extends Arrivals permits Core {
         return decision instanceof Decision.Impossible || !failures.isEmpty() ? Outcome.FAILED : Outcome.HANDLED;
     }
 
+    private void giveWay(Pending pending, String to) {
+        if (pending.broken() == null) {
+            again(pending, to);
+        } else {
+            conclude(pending.number(), Outcome.FAILED, pending.afterBroken(to));
+        }
+    }
+
     /** The plan has been overtaken: the occurrence is decided again, before all others. */
     private void again(String why) {
         again(progress.pending().again(), why);
@@ -266,7 +279,7 @@ abstract sealed class Conversion extends Arrivals permits Core {
 
     private void again(Pending next, String why) {
         if (next.attempts() > MOST_ATTEMPTS || (!ledger.open && !next.hasHappened())) {
-            conclude(next.number(), Outcome.FAILED, afterBroken(next, "overtaken: " + why));
+            conclude(next.number(), Outcome.FAILED, next.afterBroken("overtaken: " + why));
         } else {
             retry(next, why);
         }
@@ -279,8 +292,7 @@ abstract sealed class Conversion extends Arrivals permits Core {
         ledger.out.overtaken(next.occurrence(), why);
     }
 
-    @Override
-    public final void failed(long number, String reason, long atNanos) {
+    void failed(long number, String reason, long atNanos) {
         ledger.isAt(atNanos);
         if (!progress.isOf(number)) {
             return;
@@ -288,46 +300,18 @@ abstract sealed class Conversion extends Arrivals permits Core {
         Pending pending = progress.pending();
         Step step = stepOnItsWay(number);
         List<Occurrence> meanwhile = progress.meanwhile();
-        BrokenPlan broken = broken(pending, reason);
+        BrokenPlan broken = Recovery.from(ledger, reason);
         if (broken != null) {
             retry(pending.after(broken), reason);
         } else {
-            breakOff(number, afterBroken(pending, reason));
+            breakOff(number, pending.afterBroken(reason));
         }
         if (step != null) {
             contradictIfImpossible(step.source(), null, meanwhile, false);
         }
     }
 
-    /** What failed before, if a plan for it did, and {@code reason}. */
-    private static String afterBroken(Pending pending, String reason) {
-        BrokenPlan before = pending.broken();
-        return before == null ? reason : before.reason() + "; then " + reason;
-    }
-
-    /** The broken plan to recover from; null if there is nothing to do. */
-    private @Nullable BrokenPlan broken(Pending pending, String reason) {
-        Decision decision = progress.decision();
-        Transition transition = decision == null ? null : decision.transition();
-        Step failed = progress.step();
-        if (decision == null || transition == null || failed == null || !ledger.open) {
-            return null;
-        }
-        OnFailure then = ledger.rules.table().device().onFailure(transition);
-        BrokenPlan before = pending.broken();
-        State begun = before == null ? decision.deviceStart() : before.begun();
-        boolean isPossible = switch (then) {
-            case STAY -> false;
-            case GO_BACK -> !begun.equals(ledger.place.at().original());
-            case OTHER_WAY -> pending.attempts() < MOST_ATTEMPTS;
-        };
-        List<Step> all = new ArrayList<>(before == null ? List.of() : before.failed());
-        all.add(failed);
-        return isPossible ? new BrokenPlan(then, reason, begun, all) : null;
-    }
-
-    @Override
-    public final void dismissed(long number, long atNanos) {
+    void dismissed(long number, long atNanos) {
         ledger.isAt(atNanos);
         if (hasObeyed(number)) {
             breakOff(number, DISMISSED);
@@ -372,8 +356,8 @@ abstract sealed class Conversion extends Arrivals permits Core {
         arrive();
     }
 
-    @Override
-    final void conclude(long number, Outcome outcome, String reason) {
+    /** The occurrence in progress ends, whatever is left of its plan. */
+    void conclude(long number, Outcome outcome, String reason) {
         if (progress.isOf(number)) {
             long visit = ledger.stay.number();
             ledger.start(visit, end(outcome, reason));
@@ -393,8 +377,7 @@ abstract sealed class Conversion extends Arrivals permits Core {
         return ledger.enterAgain(pending.occurrence());
     }
 
-    @Override
-    public final void givenUp(long number, String reason, long atNanos) {
+    void givenUp(long number, String reason, long atNanos) {
         ledger.isAt(atNanos);
         giveUp(number, reason);
     }
@@ -407,18 +390,18 @@ abstract sealed class Conversion extends Arrivals permits Core {
         List<Occurrence> meanwhile = progress.meanwhile();
         Decision decision = progress.decision();
         if (step == null) {
-            breakOff(number, afterBroken(progress.pending(), reason));
+            breakOff(number, progress.pending().afterBroken(reason));
             return;
         }
         long visit = ledger.stay.number();
-        boolean again = end(Outcome.FAILED, afterBroken(progress.pending(), reason));
+        boolean again = end(Outcome.FAILED, progress.pending().afterBroken(reason));
         String why = "it is unknown whether " + step.trigger() + " had its effect: " + reason;
         ledger.doubt(why, number, step, meanwhile, decision instanceof Decision.NewState ? decision : null);
         ledger.start(visit, again);
     }
 
     /** The thread that carried out the plan is gone. What was begun and not reported as finished is not begun again. */
-    final void interrupt() {
+    void interrupt() {
         if (progress.isSending()) {
             giveUp(progress.pending().number(), PROCESS_ENDED);
         } else if (!progress.isIdle() && progress.decision() == null) {
@@ -438,20 +421,19 @@ abstract sealed class Conversion extends Arrivals permits Core {
      * Ends an interrupted plan, since the converter closes. If the device has already acted or obeyed, the plan stays,
      * and is resumed when the converter is opened again.
      */
-    final void dropInterrupted() {
+    void dropInterrupted() {
         if (progress.isInterrupted() && !progress.pending().hasHappened() && progress.step() != null) {
             conclude(progress.pending().number(), Outcome.FAILED, PROCESS_ENDED);
         }
     }
 
     /** Whether an interrupted plan waits that had already left the current state. */
-    final boolean isLeaving() {
+    boolean isLeaving() {
         Decision decision = progress.decision();
         return progress.isInterrupted() && decision != null && decision.leavesState();
     }
 
-    @Override
-    public final void located(long number, @Nullable State state, long atNanos) {
+    void located(long number, @Nullable State state, long atNanos) {
         ledger.isAt(atNanos);
         if (!progress.isOf(number)) {
             return;

@@ -7,6 +7,7 @@ import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -17,11 +18,17 @@ import org.jspecify.annotations.Nullable;
  * waits for its turn, and is decided from the record at that time. A plan overtaken by a fact is decided again, so that
  * nothing is ever sent from a state in which the device no longer is.
  *
+ * <p>Its parts share one {@link Ledger}, the state: {@link Arrivals} take occurrences in and give them their turn,
+ * {@link Conversion} carries out the one in progress, {@link Takeover} lets other models take over.
+ *
  * <p>Threading: not thread-safe; the caller gives it one input after another.
  *
  * @since 0.1
  */
-public final class Core extends Conversion {
+public final class Core implements Inputs {
+    private final Ledger ledger;
+    private final Arrivals arrivals;
+    private final Conversion conversion;
     private final Takeover takeover;
 
     /** A converter that has not been opened yet, in the initial states of its models. */
@@ -40,7 +47,9 @@ public final class Core extends Conversion {
 
     /** Continues from {@code snapshot}, by the {@code rules} that applied when it was taken. */
     public Core(Rules rules, Snapshot snapshot, Outputs outputs) {
-        super(new Ledger(rules, snapshot, outputs));
+        this.ledger = new Ledger(rules, snapshot, outputs);
+        this.conversion = new Conversion(ledger);
+        this.arrivals = new Arrivals(ledger, conversion);
         this.takeover = new Takeover(ledger);
     }
 
@@ -70,7 +79,7 @@ public final class Core extends Conversion {
         return ledger.snapshot();
     }
 
-    // Inputs about the converter as a whole; those about occurrences are inherited
+    // Inputs about the converter as a whole
 
     @Override
     public void opened(long atNanos) {
@@ -78,7 +87,7 @@ public final class Core extends Conversion {
         long visit = ledger.stay.number();
         ledger.open = true;
         ledger.ask();
-        if (isLeaving()) {
+        if (conversion.isLeaving()) {
             return;
         }
         // A visit that has not ended was cut off, not closed.
@@ -96,7 +105,7 @@ public final class Core extends Conversion {
     public void recovered(long atNanos) {
         ledger.isAt(atNanos);
         ledger.open = false;
-        interrupt();
+        conversion.interrupt();
     }
 
     @Override
@@ -106,7 +115,7 @@ public final class Core extends Conversion {
             return;
         }
         ledger.open = false;
-        dropInterrupted();
+        conversion.dropInterrupted();
         for (Pending pending : ledger.line.withoutFacts()) {
             ledger.refused(pending.occurrence());
         }
@@ -120,7 +129,7 @@ public final class Core extends Conversion {
     @Override
     public void changed(Rules rules, long atNanos) {
         ledger.isAt(atNanos);
-        ledger.rules = rules;
+        ledger.becomes(rules);
         // Another component may know what the previous one did not.
         ledger.ask();
     }
@@ -129,6 +138,83 @@ public final class Core extends Conversion {
     public void evolved(Swap swap, long atNanos) {
         ledger.isAt(atNanos);
         takeover.take(swap);
+    }
+
+    // Inputs about occurrences
+
+    @Override
+    public void observed(Occurrence occurrence) {
+        arrivals.observed(occurrence);
+    }
+
+    @Override
+    public void timerDue(long visit, Event event, long atNanos) {
+        arrivals.timerDue(visit, event, atNanos);
+    }
+
+    @Override
+    public void ready() {
+        arrivals.ready();
+    }
+
+    @Override
+    public void planned(long number, Decision decision, long atNanos) {
+        conversion.planned(number, decision, atNanos);
+    }
+
+    @Override
+    public void dismissed(long number, long atNanos) {
+        conversion.dismissed(number, atNanos);
+    }
+
+    @Override
+    public void sending(long number) {
+        conversion.sending(number);
+    }
+
+    @Override
+    public void sent(long number, boolean inOrder, long atNanos) {
+        conversion.sent(number, inOrder, atNanos);
+    }
+
+    @Override
+    public void running(long number) {
+        conversion.running(number);
+    }
+
+    @Override
+    public void effectRun(long number, String failure, long atNanos) {
+        conversion.effectRun(number, failure, atNanos);
+    }
+
+    @Override
+    public void located(long number, @Nullable State state, long atNanos) {
+        conversion.located(number, state, atNanos);
+    }
+
+    @Override
+    public void failed(long number, String reason, long atNanos) {
+        conversion.failed(number, reason, atNanos);
+    }
+
+    @Override
+    public void givenUp(long number, String reason, long atNanos) {
+        conversion.givenUp(number, reason, atNanos);
+    }
+
+    // What it tells
+
+    /**
+     * What {@link #ready} would begin when nothing is in progress and the converter is open; null if that is nothing.
+     * Its number is 0 if it has not been observed yet.
+     */
+    public @Nullable Pending upcoming() {
+        return arrivals.upcoming();
+    }
+
+    /** Whether a function may raise this event without waiting. Controllers' events do not matter for that. */
+    public boolean hasRoom(Occurrence raised) {
+        return arrivals.hasRoom(raised);
     }
 
     /** What prevents the models of {@code swap} from taking over now, for people; empty if nothing does. */

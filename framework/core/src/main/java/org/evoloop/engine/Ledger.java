@@ -6,6 +6,7 @@ import java.util.Set;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Event;
@@ -39,12 +40,12 @@ final class Ledger {
 
     Ledger(Rules rules, Snapshot snapshot, Outputs out) {
         this.out = out;
+        this.rules = rules;
         this.place = new Place(snapshot);
         this.counts = new Counts(snapshot.tally());
-        this.line = new Line(snapshot, counts, this::isDeferred);
+        this.line = new Line(snapshot, counts, this::isDeferred, this::isUrgent);
         this.stay = new Stay(snapshot.visit());
         this.progress = new Progress(snapshot.work());
-        this.rules = rules;
         restore(rules, snapshot);
     }
 
@@ -87,6 +88,37 @@ final class Ledger {
                 && rules.table().defers(place.at(), heard.event());
     }
 
+    private boolean isUrgent(Pending pending) {
+        return rules.isUrgent(pending);
+    }
+
+    /** Other rules apply from now on. */
+    void becomes(Rules others) {
+        rules = others;
+        // What is urgent may be another.
+        line.replace(pending -> pending);
+    }
+
+    /**
+     * Why the occurrence in progress has to make way for an urgent event, for people; empty if there is none, or the new
+     * model would not take it where it is.
+     */
+    String makesWay() {
+        Pending urgent = progress.isIdle() || isUrgent(progress.pending()) ? null : nextUrgent();
+        return urgent == null ? "" : "overtaken by " + urgent.occurrence().label() + ", which is urgent";
+    }
+
+    private @Nullable Pending nextUrgent() {
+        return line.firstUrgent(pending ->
+                rules.table().models().evolved().hasTrigger(place.at().evolved(), trigger(pending))
+                        && (pending.occurrence().visit() == Occurrence.ANY_VISIT
+                                || stay.isCurrent(pending.occurrence().visit())));
+    }
+
+    private static Event trigger(Pending urgent) {
+        return ((Occurrence.Heard) urgent.occurrence()).event().trigger();
+    }
+
     /** Advances the time; earlier observations may still be reported later. */
     void isAt(long atNanos) {
         nowNanos = Math.max(nowNanos, atNanos);
@@ -108,7 +140,10 @@ final class Ledger {
             Occurrence occurrence, Configuration before, Outcome outcome, @Nullable Decision decision, String detail) {
         counts.end(outcome);
         followUnless(isWhereNeeded());
-        out.ended(occurrence, before, place.at(), outcome, decision, detail);
+        String why = decision instanceof Decision.NotAcceptable
+                ? rules.table().models().guardsThatDoNotHold(before, occurrence)
+                : detail;
+        out.ended(occurrence, before, place.at(), outcome, decision, why);
     }
 
     void refused(Occurrence occurrence) {
@@ -157,13 +192,19 @@ final class Ledger {
 
     /**
      * Enters the current state anew if its visit has ended without another state being entered; returns whether it has.
-     * Where the device is elsewhere than the state needs it, the new model follows instead.
+     * Where the device is elsewhere than the state needs it, the new model follows instead; an urgent event is decided
+     * before that.
      *
      * @param after the occurrence that has ended; after a takeover the timers keep their remaining time, unless they had
      *     to wait until the device was where the state needs it
      */
     boolean enterAgain(Occurrence after) {
-        boolean again = stay.isOver() && open && !line.isRetryNext() && !isSettling() && isWhereNeeded();
+        boolean again = stay.isOver()
+                && open
+                && !line.isRetryNext()
+                && nextUrgent() == null
+                && !isSettling()
+                && isWhereNeeded();
         boolean tookOver = after instanceof Occurrence.Evolved;
         if (again && tookOver && !rules.table().needsDevice(place.at().evolved())) {
             enterAsLeft();
@@ -211,8 +252,9 @@ final class Ledger {
         }
     }
 
-    /** The device has reported what it cannot have done from its recorded state, so that is wrong. */
-    void contradicted(String why) {
+    /** The device has reported {@code fact}, which it cannot have done in {@code from}: the record is wrong. */
+    void contradicted(Occurrence fact, State from) {
+        String why = "the device reports " + fact.label() + ", which is impossible in " + from;
         if (place.doubt() == null) {
             place.doubt(Doubt.contradicted(place.lastDoubt(), why));
             out.doubted(why);

@@ -10,20 +10,28 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The queue of occurrences and their counts. What the device did by itself is heard before any request, and a recovery
- * from a failed plan comes before that; apart from this, first come first served.
+ * from a failed plan comes before that; of the requests, those that are urgent come first; apart from this, first come
+ * first served.
  *
  * <p>Only events of controllers take up its capacity; when it is used up, further ones are lost. Facts, and events that
- * a timer or a function raises, have places of their own, {@value #MOST_FACTS} more. Events that the present state defers
+ * a timer or a function raises, have places of their own, {@value #MOST_FACTS} more; as many are for urgent events only. Events that the present state defers
  * may wait for long, so they never take up the places of those that need not wait for another state, among which may be
  * the one that leads there.
  */
 final class Line {
-    /** How many more places than the capacity there are for facts, and for events of timers and functions. */
+    /**
+     * How many more places than the capacity there are for facts, and for events of timers and functions; and how many
+     * there are for urgent events.
+     */
     static final int MOST_FACTS = 1024;
 
     private final ArrayDeque<Pending> waiting = new ArrayDeque<>();
     private final Counts counts;
     private final Predicate<Pending> deferred;
+    private final Predicate<Pending> urgent;
+
+    /** How many of those that wait are urgent; they are not counted among the others. */
+    private int urgents;
 
     /** How many of those that wait may be lost. */
     private int losable;
@@ -34,10 +42,14 @@ final class Line {
     /** Whether anything has been lost since there was last room. */
     private boolean losing;
 
-    /** @param deferred whether the present state defers an occurrence */
-    Line(Snapshot snapshot, Counts counts, Predicate<Pending> deferred) {
+    /**
+     * @param deferred whether the present state defers an occurrence
+     * @param urgent whether an occurrence is urgent
+     */
+    Line(Snapshot snapshot, Counts counts, Predicate<Pending> deferred, Predicate<Pending> urgent) {
         this.counts = counts;
         this.deferred = deferred;
+        this.urgent = urgent;
         restore(snapshot);
     }
 
@@ -54,6 +66,7 @@ final class Line {
         waiting.clear();
         losable = 0;
         facts = 0;
+        urgents = 0;
     }
 
     private void countIn(Pending pending) {
@@ -67,6 +80,9 @@ final class Line {
     private void count(Pending pending, int by) {
         if (pending.hasHappened()) {
             facts += by;
+        }
+        if (urgent.test(pending)) {
+            urgents += by;
         } else if (pending.mayBeLost()) {
             losable += by;
         }
@@ -74,12 +90,15 @@ final class Line {
 
     /** Whether {@code next} may wait, too. */
     boolean hasRoom(Pending next, Rules rules, boolean idle) {
+        if (urgent.test(next)) {
+            return urgents < MOST_FACTS;
+        }
         return next.mayBeLost() ? hasPlace(next, losable, rules, idle) : others() < rules.mostFacts();
     }
 
     /** Whether a function need not wait with {@code next}. It must not use up the places of facts. */
     boolean hasRoomForFunction(Pending next, Rules rules, boolean idle) {
-        return hasPlace(next, others(), rules, idle);
+        return urgent.test(next) ? urgents < MOST_FACTS : hasPlace(next, others(), rules, idle);
     }
 
     /** @param alike how many wait that are lost as {@code next} is, or are not */
@@ -93,7 +112,9 @@ final class Line {
         boolean waitsForAnotherState = deferred.test(next);
         int rivals = 0;
         for (Pending pending : waiting) {
-            if (pending.mayBeLost() == next.mayBeLost() && deferred.test(pending) == waitsForAnotherState) {
+            if (pending.mayBeLost() == next.mayBeLost()
+                    && deferred.test(pending) == waitsForAnotherState
+                    && !urgent.test(pending)) {
                 rivals++;
             }
         }
@@ -101,7 +122,7 @@ final class Line {
     }
 
     private int others() {
-        return waiting.size() - losable;
+        return waiting.size() - losable - urgents;
     }
 
     /** If nothing is in progress, the next occurrence need not wait, whatever the capacity. */
@@ -153,12 +174,19 @@ final class Line {
     @Nullable
     Pending first(Predicate<Pending> of) {
         Pending head = waiting.peek();
-        boolean urgent = facts > 0;
-        if (head == null || ((!urgent || head.isUrgent()) && !deferred.test(head) && of.test(head))) {
+        boolean inOrder = facts == 0 && urgents == 0;
+        if (head == null || ((inOrder || head.goesFirst()) && !deferred.test(head) && of.test(head))) {
             return head;
         }
-        Pending fact = urgent ? first(Pending::isUrgent, of) : null;
-        return fact == null ? first(pending -> true, of) : fact;
+        Pending fact = facts > 0 ? first(Pending::goesFirst, of) : null;
+        Pending next = fact == null ? firstUrgent(of) : fact;
+        return next == null ? first(pending -> true, of) : next;
+    }
+
+    /** The first urgent one of these that may have its turn; null if none may. */
+    @Nullable
+    Pending firstUrgent(Predicate<Pending> of) {
+        return urgents > 0 ? first(urgent, of) : null;
     }
 
     private @Nullable Pending first(Predicate<Pending> among, Predicate<Pending> of) {
@@ -174,7 +202,7 @@ final class Line {
     List<Pending> withoutFacts() {
         List<Pending> refused = new ArrayList<>();
         waiting.removeIf(pending -> !pending.hasHappened() && refused.add(pending));
-        losable = 0;
+        refused.forEach(this::countOut);
         return refused;
     }
 

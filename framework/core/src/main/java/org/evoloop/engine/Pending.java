@@ -45,7 +45,7 @@ public record Pending(
     }
 
     /** Whether it has its turn before what is only asked for: a fact, or the recovery from a plan that has failed. */
-    boolean isUrgent() {
+    boolean goesFirst() {
         return hasHappened() || broken != null;
     }
 
@@ -62,6 +62,11 @@ public record Pending(
     /** A copy for another attempt, after a plan for it has failed. */
     Pending after(BrokenPlan plan) {
         return new Pending(number, occurrence, from, own, stepsBefore, attempts + 1, plan);
+    }
+
+    /** What failed before, if a plan for it did, and {@code reason}. */
+    String afterBroken(String reason) {
+        return broken == null ? reason : broken.reason() + "; then " + reason;
     }
 
     /** A copy in the visit {@code after}, if it belongs to the visit {@code before}. */

@@ -77,13 +77,21 @@ public record Rules(DecisionTable table, Timers timers, int queueCapacity, Durat
 
     /**
      * Whether {@code pending} is a press too old to be begun. What the new model defers somewhere may wait, because the
-     * model says so; a plan that has failed in the middle still ends as it should.
+     * model says so; what is urgent is never too old; a plan that has failed in the middle still ends as it should.
      */
     boolean isTooOld(Pending pending, long nowNanos) {
         return pending.mayBeLost()
                 && pending.broken() == null
+                && !isUrgent(pending)
                 && nowNanos - pending.occurrence().observedNanos() > pressAge.toNanos()
                 && !(pending.occurrence() instanceof Occurrence.Heard heard && table.mayDefer(heard.event()));
+    }
+
+    /** Whether it is an event that a model declares {@linkplain org.evoloop.statemachine.StateMachine#urgent urgent}. */
+    boolean isUrgent(Pending pending) {
+        return table.models().hasUrgent()
+                && pending.occurrence() instanceof Occurrence.Heard heard
+                && table.models().isUrgent(heard.event());
     }
 
     /** How many facts, and events raised by timers or functions, may wait besides controllers' events. */

@@ -2,6 +2,7 @@ package org.evoloop.evolution;
 
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
@@ -11,6 +12,7 @@ import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.Transition;
 
 /**
  * The two models of an evolution: the device as it is and the device as its owner wants it (the paper's Sys_o and
@@ -90,6 +92,29 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
         }
     }
 
+    /** The events that are {@linkplain StateMachine#urgent urgent} in either model. */
+    public Set<Event> urgent() {
+        Set<Event> all = new LinkedHashSet<>(evolved.urgent());
+        all.addAll(original.urgent());
+        return all;
+    }
+
+    /** Whether any event is {@linkplain StateMachine#urgent urgent} in either model. */
+    public boolean hasUrgent() {
+        return !evolved.urgent().isEmpty() || !original.urgent().isEmpty();
+    }
+
+    /** Whether {@code event} is {@linkplain StateMachine#urgent urgent} in either model, with or without guards. */
+    public boolean isUrgent(Event event) {
+        Event trigger = event.trigger();
+        return evolved.urgent().contains(trigger) || original.urgent().contains(trigger);
+    }
+
+    /** The same models without urgent events. */
+    public ModelPair withoutUrgent() {
+        return new ModelPair(original.withoutUrgent(), evolved.withoutUrgent());
+    }
+
     /** The initial states of both machines. */
     public Configuration initial() {
         return new Configuration(original.initial(), evolved.initial());
@@ -138,6 +163,28 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
     /** The same for a state that needs the device in {@code device}. */
     public static String describe(State state, String device) {
         return state + ", the device in " + device;
+    }
+
+    /**
+     * Why {@code occurrence} is not acceptable, if guards are the reason: {@code not acceptable in F: [light load] is
+     * false for load=400}. Empty if the new model draws no transition for its event.
+     */
+    public String guardsThatDoNotHold(Configuration at, Occurrence occurrence) {
+        Event trigger =
+                occurrence instanceof Occurrence.Heard heard ? heard.event().trigger() : null;
+        List<String> guards = evolved.transitionsFrom(at.evolved()).stream()
+                .map(Transition::event)
+                .filter(event ->
+                        event.trigger().equals(trigger) && !event.guards().isEmpty())
+                .map(event -> "[" + String.join("] [", event.guards()) + "]")
+                .toList();
+        if (guards.isEmpty()) {
+            return "";
+        }
+        boolean one = guards.size() == 1 && !guards.get(0).contains("] [");
+        return "not acceptable in " + at.evolved() + ": "
+                + (one ? guards.get(0) + " is false" : "none of " + String.join(", ", guards) + " holds")
+                + (occurrence.values().isEmpty() ? "" : " for " + occurrence.values());
     }
 
     /** The original's states of this name; if there is none, those drawn at this path or inside it. */

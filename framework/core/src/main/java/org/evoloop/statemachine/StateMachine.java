@@ -34,6 +34,7 @@ public final class StateMachine {
 
     private final Set<Event> events;
     private final Set<Event> spontaneous;
+    private final Set<Event> urgent;
     private final Set<String> guards;
     private final List<String> initialEffects;
     /** Only for states that have any. */
@@ -48,6 +49,7 @@ public final class StateMachine {
             Map<State, Row> rows,
             Set<Event> events,
             Set<Event> spontaneous,
+            Set<Event> urgent,
             List<String> initialEffects,
             Map<State, StateTraits> traits) {
         this.name = name;
@@ -56,18 +58,20 @@ public final class StateMachine {
         rows.values().forEach(Row::close);
         this.events = Collections.unmodifiableSet(new LinkedHashSet<>(events));
         this.spontaneous = Collections.unmodifiableSet(new LinkedHashSet<>(spontaneous));
+        this.urgent = Collections.unmodifiableSet(new LinkedHashSet<>(urgent));
         this.guards = guardsOf(this.events);
         this.initialEffects = List.copyOf(initialEffects);
         this.traits = Map.copyOf(traits);
         this.alike = findAlike();
     }
 
-    private StateMachine(StateMachine same, String name, Map<State, StateTraits> traits) {
+    private StateMachine(StateMachine same, String name, Set<Event> urgent, Map<State, StateTraits> traits) {
         this.name = name;
         this.initial = same.initial;
         this.rows = same.rows;
         this.events = same.events;
         this.spontaneous = same.spontaneous;
+        this.urgent = urgent;
         this.guards = same.guards;
         this.initialEffects = same.initialEffects;
         this.traits = traits;
@@ -101,9 +105,13 @@ public final class StateMachine {
         return found;
     }
 
-    /** A copy with this name. @throws NullPointerException if it is null */
+    /**
+     * A copy with this name.
+     *
+     * @throws NullPointerException if it is null
+     */
     public StateMachine withName(String otherName) {
-        return new StateMachine(this, requireNonNull(otherName, "the name of a state machine is null"), traits);
+        return new StateMachine(this, requireNonNull(otherName, "the name of a state machine is null"), urgent, traits);
     }
 
     /** A copy in which {@code state} has this {@linkplain #deviceState device state}. */
@@ -118,10 +126,22 @@ public final class StateMachine {
         return with(state, known -> known.withSends(event));
     }
 
+    /** A copy in which nothing is {@linkplain #urgent urgent}. */
+    public StateMachine withoutUrgent() {
+        return new StateMachine(this, name, Set.of(), traits);
+    }
+
     private StateMachine with(State state, UnaryOperator<StateTraits> change) {
         Map<State, StateTraits> changed = new HashMap<>(traits);
         changed.put(state, change.apply(traitsOf(state)));
-        return new StateMachine(this, name, Map.copyOf(changed));
+        return new StateMachine(this, name, urgent, Map.copyOf(changed));
+    }
+
+    /** A copy in which {@code event} is {@linkplain #urgent urgent}, too. */
+    public StateMachine withUrgent(Event event) {
+        Set<Event> all = new LinkedHashSet<>(urgent);
+        all.add(requireNonNull(event, "the event that is urgent is null").trigger());
+        return new StateMachine(this, name, Collections.unmodifiableSet(all), traits);
     }
 
     /**
@@ -147,7 +167,8 @@ public final class StateMachine {
         }
         builder.initial(renamed.apply(initial).name()).initialEffects(initialEffects);
         events.forEach(builder::event);
-        spontaneous.forEach(event -> builder.spontaneous(event.name()));
+        spontaneous.forEach(builder::spontaneous);
+        urgent.forEach(builder::urgent);
         for (Transition transition : transitions()) {
             builder.transition(
                     new Transition(
@@ -162,7 +183,11 @@ public final class StateMachine {
         return builder.build();
     }
 
-    /** Starts a machine of this name, which is used in messages. @throws NullPointerException if it is null */
+    /**
+     * Starts a machine of this name, which is used in messages.
+     *
+     * @throws NullPointerException if it is null
+     */
     public static StateMachineBuilder named(String name) {
         return new StateMachineBuilder(name);
     }
@@ -324,6 +349,14 @@ public final class StateMachine {
     /** Those of the {@link #triggers()} that the model itself declares to be the device's own. */
     public Set<Event> spontaneous() {
         return spontaneous;
+    }
+
+    /**
+     * Those of the {@link #triggers()} that are urgent: each has a place in the queue that no other can take, has its
+     * turn before all other requests, and ends the plan in progress between two steps.
+     */
+    public Set<Event> urgent() {
+        return urgent;
     }
 
     /** The texts of all guards. */

@@ -47,9 +47,11 @@ public final class StateMachineBuilder {
 
     private final List<String> problems = new ArrayList<>();
     private final Set<Event> spontaneous = new LinkedHashSet<>();
+    private final Set<Event> urgent = new LinkedHashSet<>();
     private final List<String> initialEffects = new ArrayList<>();
     private final Map<State, StateTraits> traits = new LinkedHashMap<>();
     private @Nullable State initial;
+    private @Nullable TransitionDraft draft;
 
     StateMachineBuilder(String name) {
         this.name = requireNonNull(name, "the name of a state machine is null");
@@ -195,10 +197,11 @@ public final class StateMachineBuilder {
      * those.
      */
     public StateMachineBuilder event(String event) {
-        return event(new Event(event));
+        return event(drawn(event));
     }
 
-    StateMachineBuilder event(Event event) {
+    /** The same for an event as it is. */
+    public StateMachineBuilder event(Event event) {
         if (!events.contains(event)) {
             named.add(event);
         }
@@ -208,8 +211,50 @@ public final class StateMachineBuilder {
 
     /** Adds an event that the device takes of its own accord. */
     public StateMachineBuilder spontaneous(String event) {
-        spontaneous.add(new Event(event));
+        return spontaneous(unguarded(event));
+    }
+
+    /** The same for an event as it is. */
+    public StateMachineBuilder spontaneous(Event event) {
+        spontaneous.add(event);
         return event(event);
+    }
+
+    /** Adds an event that is urgent, see {@link StateMachine#urgent}. */
+    public StateMachineBuilder urgent(String event) {
+        return urgent(unguarded(event));
+    }
+
+    /** The same for an event as it is. */
+    public StateMachineBuilder urgent(Event event) {
+        urgent.add(event);
+        return event(event);
+    }
+
+    private Event unguarded(String event) {
+        Event drawn = drawn(event);
+        if (!drawn.guards().isEmpty()) {
+            problems.add("the event " + drawn + " is declared with a guard; write " + drawn.name()
+                    + ", which holds for all");
+        }
+        return drawn.trigger();
+    }
+
+    /** Begins a transition that leaves {@code state} and is drawn part by part. */
+    public TransitionDraft from(String state) {
+        finishDraft();
+        draft = new TransitionDraft(this, new State(state));
+        return draft;
+    }
+
+    private void finishDraft() {
+        TransitionDraft finished = draft;
+        draft = null;
+        if (finished != null && finished.problem().isEmpty()) {
+            transition(finished.transition(), "");
+        } else if (finished != null) {
+            problems.add(finished.problem());
+        }
     }
 
     /**
@@ -230,7 +275,7 @@ public final class StateMachineBuilder {
         return transition(new Transition(new State(source), drawn(event), new State(target)), place);
     }
 
-    private static Event drawn(String event) {
+    static Event drawn(String event) {
         Matcher guarded = GUARDED.matcher(requireNonNull(event, "the name of an event is null"));
         return guarded.matches()
                 ? new Event(
@@ -249,6 +294,7 @@ public final class StateMachineBuilder {
      * @param place as above
      */
     public StateMachineBuilder transition(Transition transition, String place) {
+        finishDraft();
         Row row = row(requireNonNull(transition, NO_TRANSITION).source());
         row(transition.target());
         add(transition, row, place);
@@ -260,6 +306,7 @@ public final class StateMachineBuilder {
      * each end of a hundred thousand transitions.
      */
     public StateMachineBuilder transitions(State source, List<Transition> leaving) {
+        finishDraft();
         Row row = row(source);
         for (Transition transition : requireNonNull(leaving, "the transitions that leave a state are null")) {
             add(requireNonNull(transition, NO_TRANSITION), row, "");
@@ -299,6 +346,7 @@ public final class StateMachineBuilder {
 
     /** The problems that {@link #build()} would report in the transitions added so far. */
     public List<String> problems() {
+        finishDraft();
         return List.copyOf(problems);
     }
 
@@ -309,6 +357,7 @@ public final class StateMachineBuilder {
      *     message lists all problems
      */
     public StateMachine build() {
+        finishDraft();
         State start = initial;
         if (start == null) {
             problems.add("no initial state; draw an initial pseudostate with a transition to the first state");
@@ -317,7 +366,8 @@ public final class StateMachineBuilder {
             throw new ModelException("state machine '" + name + "': " + String.join("; ", problems));
         }
         built = true;
-        return new StateMachine(name, start, rows, withoutNamesOfGuarded(), spontaneous, initialEffects, traits);
+        return new StateMachine(
+                name, start, rows, withoutNamesOfGuarded(), spontaneous, urgent, initialEffects, traits);
     }
 
     /** The events, without those that are named but drawn only with guards. */

@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.evoloop.Machines.machine;
 
+import java.util.List;
 import java.util.function.Consumer;
+import org.evoloop.converter.attachment.Friends;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.function.NewFunction;
 import org.evoloop.statemachine.Event;
@@ -39,8 +41,12 @@ class DeviceUseInCodeTest {
         }
 
         Known registered() {
-            register();
+            Friends.KNOWLEDGE.of(this).register();
             return this;
+        }
+
+        List<String> problems(boolean leftOver) {
+            return Friends.KNOWLEDGE.of(this).problems(leftOver);
         }
     }
 

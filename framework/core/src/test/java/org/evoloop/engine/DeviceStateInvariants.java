@@ -54,7 +54,7 @@ record DeviceStateInvariants(Snapshot before, @Nullable Input input, List<Output
     private String nothingIsDecidedWithTheDeviceElsewhere() {
         for (Output output : said) {
             if (output instanceof Output.Decided decided
-                    && !decided.pending().isUrgent()
+                    && !decided.pending().goesFirst()
                     && !isInDoubtAbout(decided.pending())
                     && !isWhereNeeded(before.at())) {
                 return "elsewhere: " + decided + " with the device where it is not needed";

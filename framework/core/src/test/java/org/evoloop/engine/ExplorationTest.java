@@ -292,6 +292,32 @@ class ExplorationTest {
         explore(scene, 13);
     }
 
+    static Stream<Scene> ofTheLift() {
+        Scene scene = Scene.lift();
+        return Stream.of(
+                        scene.with(3, Act.PRESS),
+                        scene.with(2, Act.PRESS).with(1, Act.OWN, Act.STOP, Act.FAIL),
+                        scene.with(2, Act.PRESS).with(1, Act.GIVE_UP, Act.JUMP, Act.DISMISS),
+                        scene.sending().with(2, Act.PRESS).with(1, Act.ASK, Act.END),
+                        scene.onFailure(OnFailure.OTHER_WAY).with(2, Act.PRESS).with(1, Act.FAIL, Act.OWN),
+                        scene.onFailure(OnFailure.GO_BACK).with(2, Act.PRESS).with(1, Act.FAIL, Act.END),
+                        scene.withQueue(0).with(3, Act.PRESS))
+                .flatMap(ExplorationTest::bestAndWorst);
+    }
+
+    @ParameterizedTest
+    @MethodSource("ofTheLift")
+    void storiesOfTheLift(Scene scene) {
+        explore(scene, 10);
+    }
+
+    @ParameterizedTest
+    @MethodSource("ofTheLift")
+    @Tag("slow")
+    void longerStoriesOfTheLift(Scene scene) {
+        explore(scene, 14);
+    }
+
     private static void explore(Scene scene, int depth) {
         Exploration.Result result = Exploration.of(scene, Wiring.REAL, depth);
         assertThat(result.violation()).as("%s", scene).isEmpty();

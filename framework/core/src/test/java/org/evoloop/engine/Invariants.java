@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Set;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
@@ -33,6 +34,7 @@ final class Invariants {
                         invariants.recordIsDevice(),
                         invariants.whatTheDeviceObeyedIsDone(),
                         invariants.oneAfterTheOther(),
+                        invariants.whatIsUrgentComesFirst(),
                         invariants.factsAreHeardFirst(),
                         invariants.theDeviceIsAskedFirst(),
                         invariants.sumIsRight(),
@@ -80,9 +82,11 @@ final class Invariants {
                 List<Pending> ahead = new ArrayList<>(before.waiting());
                 ahead.retainAll(after.waiting());
                 ahead.removeIf(this::isDeferred);
-                if (begin.pending().isUrgent()) {
-                    ahead.removeIf(pending -> !pending.isUrgent());
-                } else if (ahead.stream().anyMatch(Pending::isUrgent)) {
+                if (begin.pending().goesFirst()) {
+                    ahead.removeIf(pending -> !pending.goesFirst());
+                } else if (isUrgent(begin.pending())) {
+                    ahead.removeIf(pending -> !pending.goesFirst() && !isUrgent(pending));
+                } else if (ahead.stream().anyMatch(Pending::goesFirst)) {
                     return "order: " + begin + " before the facts of " + ahead;
                 }
                 if (!ahead.isEmpty() && before.waiting().indexOf(ahead.get(0)) < place) {
@@ -93,11 +97,59 @@ final class Invariants {
         return "";
     }
 
+    /**
+     * What is urgent is never lost; no other request is begun or decided before it, and no step of any other plan is sent
+     * while it waits and the new model would take it.
+     */
+    private String whatIsUrgentComesFirst() {
+        List<Pending> urgent = before.waiting().stream()
+                .filter(pending -> isUrgent(pending)
+                        && after.waiting().contains(pending)
+                        && !isDeferred(pending)
+                        && (pending.occurrence().visit() == Occurrence.ANY_VISIT
+                                || pending.occurrence().visit()
+                                        == before.visit().number()))
+                .toList();
+        boolean taken = urgent.stream()
+                .anyMatch(pending -> world.rules()
+                        .table()
+                        .models()
+                        .evolved()
+                        .hasTrigger(before.at().evolved(), ((Occurrence.Heard) pending.occurrence()).event()));
+        for (Output output : said) {
+            if (output instanceof Output.Dropped dropped && isUrgent(dropped.occurrence())) {
+                return "urgent: " + output;
+            } else if (output instanceof Output.Begin begin && isBehind(begin.pending(), urgent)) {
+                return "urgent: " + begin + " before " + urgent;
+            } else if (output instanceof Output.Decided decided && taken && isBehind(decided.pending(), urgent)) {
+                return "urgent: " + decided + " before " + urgent;
+            }
+        }
+        boolean sends =
+                input instanceof Input.Sending && after.work() != null && isIn(after.work(), Work.Stage.SENDING);
+        return taken && sends && !isUrgent(after.work().pending()) ? "urgent: a step is sent before " + urgent : "";
+    }
+
+    private boolean isBehind(Pending pending, List<Pending> urgent) {
+        return !urgent.isEmpty()
+                && !pending.goesFirst()
+                && !isUrgent(pending)
+                && !isIn(before.work(), Work.Stage.INTERRUPTED);
+    }
+
+    private boolean isUrgent(Pending pending) {
+        return world.rules().isUrgent(pending);
+    }
+
+    private boolean isUrgent(Occurrence occurrence) {
+        return isUrgent(new Pending(0, occurrence, null, null, 0, 0));
+    }
+
     /** The new model has heard of all that the device did by itself when it decides on a request. */
     private String factsAreHeardFirst() {
         for (Output output : said) {
             if (output instanceof Output.Decided decided
-                    && !decided.pending().isUrgent()
+                    && !decided.pending().goesFirst()
                     && before.waiting().stream().anyMatch(Pending::hasHappened)) {
                 return "unheard: " + decided + " before the facts of " + before.waiting();
             }
@@ -287,7 +339,7 @@ final class Invariants {
 
     /**
      * A controller's event is lost exactly if as many of those wait as there is room for, whatever else waits. What the
-     * present state defers, and the others, have places of their own.
+     * present state defers, what is urgent, and the others, have places of their own.
      */
     private String controllersHaveTheirPlaces() {
         int capacity = world.rules().queueCapacity();
@@ -298,6 +350,7 @@ final class Invariants {
             }
             if (output instanceof Output.Queued queued
                     && isControllers(queued.occurrence())
+                    && !isUrgent(queued.occurrence())
                     && !hasRoom(queued.occurrence(), places)) {
                 return "room: " + output + ", while there wait " + before.waiting();
             }
@@ -306,8 +359,9 @@ final class Invariants {
     }
 
     private boolean hasRoom(Occurrence occurrence, int places) {
-        List<Pending> controllers =
-                before.waiting().stream().filter(Pending::mayBeLost).toList();
+        List<Pending> controllers = before.waiting().stream()
+                .filter(pending -> pending.mayBeLost() && !isUrgent(pending))
+                .toList();
         boolean waits = isDeferred(occurrence, before);
         return controllers.size() < places
                 || controllers.stream()

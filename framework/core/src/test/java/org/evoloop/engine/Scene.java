@@ -172,6 +172,34 @@ record Scene(
         return new Scene(name, rules, rules, Mapping.byName(), sent, own, raised, true, true, Map.of());
     }
 
+    /** An elevator with express rides of two steps, which an alarm ends. One event may wait. */
+    static Scene lift() {
+        String[] lift = {"F up -> G", "G up -> H", "H down -> G", "G down -> F"};
+        return of(
+                        "lift",
+                        new ModelPair(
+                                machine("lift", lift),
+                                machine(
+                                        "lift with alarm",
+                                        Stream.concat(
+                                                        Stream.of(lift),
+                                                        Stream.of(
+                                                                "F express -> H",
+                                                                "H express -> F",
+                                                                "F fire -> Alarm",
+                                                                "G fire -> Alarm",
+                                                                "H fire -> Alarm",
+                                                                "Alarm device F",
+                                                                "Alarm timeout -> F",
+                                                                "urgent fire"))
+                                                .toArray(String[]::new))),
+                        Map.of("Alarm", "timeout"),
+                        "up down",
+                        "down",
+                        1)
+                .pressing("express fire");
+    }
+
     private static Rules rules(
             ModelPair pair, Map<String, String> timers, String sendable, String spontaneous, int queueCapacity) {
         Set<Event> sent = events(sendable);

@@ -274,4 +274,56 @@ class StateMachineTest {
                 .hasMessageContaining("state Gap has two device states, StopUp and Open; keep one");
         assertThatThrownBy(() -> builder.deviceState("Gap", " ")).isInstanceOf(ModelException.class);
     }
+
+    @Test
+    void aTransitionIsDrawnPartByPart() {
+        StateMachine drawn = StateMachine.named("lamp")
+                .initial("off")
+                .from("off")
+                .on("party")
+                .when("dark")
+                .to("wild")
+                .effect("chime")
+                .effect("flash")
+                .from("wild")
+                .on("party [late]")
+                .stays()
+                .and()
+                .transition("wild", "stop", "off")
+                .build();
+
+        assertThat(drawn.transitions())
+                .extracting(transition -> transition + " " + transition.effects() + " " + transition.internal())
+                .containsExactly(
+                        "off --party [dark]--> wild [chime, flash] false",
+                        "wild --party [late]--> wild [] true",
+                        "wild --stop--> off [] false");
+    }
+
+    @Test
+    void whatIsMissingInADraftIsSaid() {
+        StateMachineBuilder drafts = StateMachine.named("lamp")
+                .initial("off")
+                .from("off")
+                .to("on")
+                .from("on")
+                .on("press")
+                .and();
+        assertThatThrownBy(drafts::build)
+                .isInstanceOf(ModelException.class)
+                .hasMessage("state machine 'lamp': the transition from off has no event; write on(...); "
+                        + "the transition from on has no target; write to(...)");
+    }
+
+    @Test
+    void aGuardIsNeverPartOfAnEventsName() {
+        assertThat(StateMachine.named("lamp")
+                        .initial("off")
+                        .event("party [dark]")
+                        .build()
+                        .events())
+                .containsExactly(new Event("party", List.of("dark")));
+        assertThatThrownBy(StateMachine.named("lamp").initial("off").urgent("fire [hot]")::build)
+                .hasMessageContaining("the event fire [hot] is declared with a guard; write fire, which holds for all");
+    }
 }

@@ -32,7 +32,11 @@ final class Decoder {
         this.rules = rules;
     }
 
-    /** The input of one record. @throws Cursor.Senseless if it is not an input */
+    /**
+     * The input of one record.
+     *
+     * @throws Cursor.Senseless if it is not an input
+     */
     Input read(int from, int length) {
         cursor.goTo(from, length);
         Input input = read(Kind.of(cursor.octet()));

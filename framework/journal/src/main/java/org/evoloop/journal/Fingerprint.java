@@ -50,6 +50,7 @@ final class Fingerprint {
     private static void describe(StateMachine machine, StringBuilder text) {
         text.append(machine.initial()).append('\n');
         text.append(machine.spontaneous().stream().sorted().toList()).append('\n');
+        text.append(machine.urgent().stream().sorted().toList()).append('\n');
         for (State state : machine.states().stream().sorted().toList()) {
             text.append(state).append(machine.deferred(state).stream().sorted().toList());
             String device = machine.deviceState(state);

@@ -47,6 +47,7 @@ final class MachineBytes {
         bytes.name(machine.initial().name());
         bytes.names(machine.initialEffects());
         bytes.names(machine.spontaneous().stream().map(Event::name).toList());
+        bytes.names(machine.urgent().stream().map(Event::name).toList());
         bytes.number(machine.transitions().size());
         for (Transition transition : machine.transitions()) {
             bytes.name(transition.source().name());
@@ -86,7 +87,8 @@ final class MachineBytes {
         }
         builder.initial(cursor.name());
         builder.initialEffects(cursor.names());
-        cursor.names().forEach(builder::spontaneous);
+        cursor.names().forEach(name -> builder.spontaneous(new Event(name)));
+        cursor.names().forEach(name -> builder.urgent(new Event(name)));
         List<Transition> transitions = new ArrayList<>();
         for (int left = cursor.count(); left > 0; left--) {
             transitions.add(transition(cursor));

@@ -60,7 +60,11 @@ final class SegmentReader {
         records = 0;
     }
 
-    /** The beginning of {@code file}. @throws JournalException as the constructor */
+    /**
+     * The beginning of {@code file}.
+     *
+     * @throws JournalException as the constructor
+     */
     static Preamble preamble(Path file) {
         return Preamble.of(file, read(file));
     }

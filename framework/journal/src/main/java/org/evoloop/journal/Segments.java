@@ -80,7 +80,9 @@ final class Segments implements AutoCloseable {
     }
 
     /**
-     * Appends the record; false if the segment is full or lost, or there is none. @throws IOException if it does not fit into
+     * Appends the record; false if the segment is full or lost, or there is none.
+     *
+     * @throws IOException if it does not fit into
      * any
      */
     boolean append(Bytes record) throws IOException {

@@ -172,7 +172,7 @@ class DamageTest {
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {9, 11})
+    @ValueSource(ints = {Preamble.VERSION - 1, Preamble.VERSION + 1})
     void anotherVersionIsRefused(int version) throws Exception {
         Path segment = segmentIn(journal);
         byte[] bytes = Files.readAllBytes(segment);

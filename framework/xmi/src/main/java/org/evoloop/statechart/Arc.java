@@ -13,7 +13,8 @@ import java.util.List;
  *     between pseudostates
  * @param guard text of the condition; empty for none, {@code else} for the remaining branch
  * @param effects behaviors that run when it is taken, in order
- * @param spontaneous the triggers marked as raised by the device itself, see {@link Spontaneous}
+ * @param spontaneous the triggers marked as raised by the device itself, see {@link EventKeywords}
+ * @param urgent the triggers marked as urgent
  * @param order of the transitions of a state, in which SCXML tries them; 0 in UML
  * @since 0.1
  */
@@ -26,14 +27,16 @@ public record Arc(
         List<String> effects,
         Kind kind,
         List<String> spontaneous,
+        List<String> urgent,
         int order) {
     public Arc {
         triggers = List.copyOf(triggers);
         effects = List.copyOf(effects);
         spontaneous = List.copyOf(spontaneous);
+        urgent = List.copyOf(urgent);
     }
 
-    /** @param drawn the triggers, with the keyword {@link Spontaneous} before those that the device raises itself */
+    /** @param drawn the triggers, with their {@link EventKeywords} */
     public Arc(
             Place place,
             String source,
@@ -45,7 +48,7 @@ public record Arc(
         this(place, source, target, drawn, guard, effects, kind, 0);
     }
 
-    /** @param drawn the triggers, with the keyword {@link Spontaneous} before those that the device raises itself */
+    /** @param drawn the triggers, with their {@link EventKeywords} */
     public Arc(
             Place place,
             String source,
@@ -59,12 +62,18 @@ public record Arc(
                 place,
                 source,
                 target,
-                Spontaneous.unmarked(drawn),
+                EventKeywords.unmarked(drawn),
                 guard,
                 effects,
                 kind,
-                Spontaneous.marked(drawn),
+                EventKeywords.marked(drawn, EventKeywords.SPONTANEOUS),
+                EventKeywords.marked(drawn, EventKeywords.URGENT),
                 order);
+    }
+
+    /** The keywords before one of its triggers, with a space behind them; empty if it has none. */
+    public String keywords(String trigger) {
+        return EventKeywords.before(spontaneous.contains(trigger), urgent.contains(trigger));
     }
 
     /** What a transition does with its source state. */

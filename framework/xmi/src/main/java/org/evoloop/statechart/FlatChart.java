@@ -36,6 +36,7 @@ final class FlatChart {
     private final Map<String, Event> events = new HashMap<>();
 
     private final Set<String> spontaneous = new LinkedHashSet<>();
+    private final Set<String> urgent = new LinkedHashSet<>();
     private String initial = "";
     private @Nullable Arc start;
     private int transitions;
@@ -123,9 +124,8 @@ final class FlatChart {
             source.leaving().add(new Transition(source.state(), event, target.state(), effects, false));
             transitions++;
         }
-        if (!arc.spontaneous().isEmpty()) {
-            spontaneous.addAll(arc.spontaneous());
-        }
+        spontaneous.addAll(arc.spontaneous());
+        urgent.addAll(arc.urgent());
         return !arc.triggers().isEmpty();
     }
 
@@ -157,8 +157,9 @@ final class FlatChart {
         for (Row row : rows.values()) {
             builder.transitions(row.state(), row.leaving());
         }
-        spontaneous.forEach(builder::spontaneous);
-        chart.events().stream().filter(event -> !event.isBlank()).forEach(builder::event);
+        spontaneous.forEach(event -> builder.spontaneous(new Event(event)));
+        urgent.forEach(event -> builder.urgent(new Event(event)));
+        chart.events().stream().filter(event -> !event.isBlank()).forEach(event -> builder.event(new Event(event)));
         return builder.problems().isEmpty() ? new Flattening(builder.build(), this::leaves) : null;
     }
 

@@ -124,8 +124,11 @@ final class FlatMachine {
             builder.transitions(flat.state(), leaving);
             leaving.clear();
         }
-        net.spontaneous().forEach(builder::spontaneous);
-        net.chart().events().stream().filter(event -> !event.isBlank()).forEach(builder::event);
+        net.spontaneous().forEach(event -> builder.spontaneous(new Event(event)));
+        net.urgent().forEach(event -> builder.urgent(new Event(event)));
+        net.chart().events().stream()
+                .filter(event -> !event.isBlank())
+                .forEach(event -> builder.event(new Event(event)));
         return builder.build();
     }
 

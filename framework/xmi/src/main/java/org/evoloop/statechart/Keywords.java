@@ -20,7 +20,7 @@ final class Keywords {
     /** What can be written at a state, and at an event. */
     private static final List<String> OF_STATES = List.of(DeviceUse.DEVICE, DeviceUse.SENDS);
 
-    private static final List<String> OF_EVENTS = List.of(Spontaneous.KEYWORD);
+    private static final List<String> OF_EVENTS = List.of(EventKeywords.SPONTANEOUS, EventKeywords.URGENT);
 
     private Keywords() {}
 
@@ -74,7 +74,8 @@ final class Keywords {
 
     private static Problem wrong(Place place, String what, String kind, String text, List<String> known) {
         String word = word(text);
-        String forms = known == OF_STATES ? "«device STATE» or «sends EVENT, EVENT»" : "«spontaneous» EVENT";
+        String forms =
+                known == OF_STATES ? "«device STATE» or «sends EVENT, EVENT»" : "«spontaneous» EVENT or «urgent» EVENT";
         boolean second = known == OF_STATES && DeviceUse.parse(text).isPresent();
         boolean right = known.contains(word);
         String meant = right ? "" : Names.meant(word, known);

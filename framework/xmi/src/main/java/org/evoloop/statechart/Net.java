@@ -11,6 +11,7 @@ import java.util.Set;
  * @param triggers the events on transitions
  * @param timeTriggers the timer events
  * @param spontaneous the events drawn as raised by the device itself
+ * @param urgent the events drawn as urgent
  * @param raised the events that the machine raises itself, so that nobody else does: {@code done.state.KEY}
  * @param isCalm whether no timers and no do activities run while the machine is stable
  */
@@ -21,6 +22,7 @@ record Net(
         Set<String> triggers,
         Set<String> timeTriggers,
         Set<String> spontaneous,
+        Set<String> urgent,
         Set<String> raised,
         boolean isCalm) {
     /** Whether it follows SCXML, otherwise UML. */

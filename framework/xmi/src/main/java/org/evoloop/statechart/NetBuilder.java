@@ -29,6 +29,7 @@ final class NetBuilder {
     private final Map<String, Node> byKey = new HashMap<>();
     private final List<Arc> arcs = new ArrayList<>();
     private final Set<String> spontaneous = new LinkedHashSet<>();
+    private final Set<String> urgent = new LinkedHashSet<>();
     private int zones;
 
     private NetBuilder(Statechart chart, List<Problem> problems) {
@@ -77,7 +78,7 @@ final class NetBuilder {
         timeTriggers.removeIf(name -> !isTime(name));
         boolean calm = timeTriggers.isEmpty()
                 && nodes.stream().allMatch(node -> node.activities().isEmpty());
-        return new Net(chart, tops, nodes, named.keySet(), timeTriggers, spontaneous, raised, calm);
+        return new Net(chart, tops, nodes, named.keySet(), timeTriggers, spontaneous, urgent, raised, calm);
     }
 
     static boolean isTime(String trigger) {
@@ -182,9 +183,8 @@ final class NetBuilder {
         }
         Link link = new Link(arc, source, target);
         source.addOutgoing(link);
-        if (!arc.spontaneous().isEmpty()) {
-            spontaneous.addAll(arc.spontaneous());
-        }
+        spontaneous.addAll(arc.spontaneous());
+        urgent.addAll(arc.urgent());
         if (target.isPseudostate()) {
             target.addIncoming(link);
         }

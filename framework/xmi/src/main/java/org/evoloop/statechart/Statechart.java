@@ -17,7 +17,7 @@ import java.util.List;
 public record Statechart(String name, Place place, List<Region> regions, List<String> events, Semantics semantics) {
     public Statechart {
         regions = List.copyOf(regions);
-        events = Spontaneous.unmarked(events);
+        events = EventKeywords.unmarked(events);
     }
 
     /** A chart of UML. */

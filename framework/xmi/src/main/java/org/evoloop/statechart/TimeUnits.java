@@ -70,6 +70,7 @@ public final class TimeUnits {
                         arc.effects(),
                         arc.kind(),
                         names(arc.spontaneous()),
+                        names(arc.urgent()),
                         arc.order()))
                 .toList();
     }

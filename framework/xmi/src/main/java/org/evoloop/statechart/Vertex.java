@@ -49,7 +49,7 @@ public sealed interface Vertex {
             exit = List.copyOf(exit);
             doActivities = List.copyOf(doActivities);
             internal = List.copyOf(internal);
-            deferred = Spontaneous.unmarked(deferred);
+            deferred = EventKeywords.unmarked(deferred);
             regions = List.copyOf(regions);
             connections = List.copyOf(connections);
         }

@@ -24,6 +24,7 @@ final class SameMachine {
                 .or(() -> differs("its first effects are", one.initialEffects(), other.initialEffects()))
                 .or(() -> differs("it has the events", one.events(), other.events()))
                 .or(() -> differs("its spontaneous events are", one.spontaneous(), other.spontaneous()))
+                .or(() -> differs("its urgent events are", one.urgent(), other.urgent()))
                 .or(() -> one.states().stream()
                         .flatMap(state -> difference(state, one, other).stream())
                         .findFirst());

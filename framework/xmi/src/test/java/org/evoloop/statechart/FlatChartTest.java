@@ -16,10 +16,11 @@ import org.junit.jupiter.api.Test;
 /** Charts that are flat, and those that nearly are, become the same machine with and without exploration. */
 class FlatChartTest {
     private static final int CHARTS = 20_000;
-    private static final List<String> EVENTS = List.of("a", "b", "c", "d", "e", "«spontaneous» f");
+    private static final List<String> EVENTS =
+            List.of("a", "b", "c", "d", "e", "«spontaneous» f", "«urgent» g", "<<urgent, spontaneous>> h");
 
-    private static final List<String> KEYWORDS =
-            List.of("«device A» ", "«sends a, b» ", "«device A, sends c»", "«devise A» ", "«spontaneous» ");
+    private static final List<String> KEYWORDS = List.of(
+            "«device A» ", "«sends a, b» ", "«device A, sends c»", "«devise A» ", "«spontaneous» ", "«urgent» ");
 
     private final List<Vertex> vertices = new ArrayList<>();
     private final List<Arc> arcs = new ArrayList<>();

@@ -13,14 +13,7 @@ class TimeUnitsTest {
     @Test
     void nothingButTheTimeTriggersChanges() {
         Arc drawn = new Arc(
-                Place.NONE,
-                "A",
-                "A",
-                List.of("after 2", Spontaneous.mark("stuck")),
-                "g",
-                List.of("x"),
-                Arc.Kind.LOCAL,
-                3);
+                Place.NONE, "A", "A", List.of("after 2", "«spontaneous» stuck"), "g", List.of("x"), Arc.Kind.LOCAL, 3);
         Region top = new Region("", Place.NONE, region(initial("i"), state("A")).vertices(), List.of(drawn));
         Statechart chart =
                 new Statechart("chart", Place.NONE, List.of(top), List.of("after 3"), Statechart.Semantics.SCXML);

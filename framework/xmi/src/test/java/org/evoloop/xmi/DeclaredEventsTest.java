@@ -22,12 +22,11 @@ class DeclaredEventsTest {
             <transition xmi:id="t1" source="a" target="b"><trigger xmi:id="tr1" event="e1"/></transition>
             <transition xmi:id="t2" source="b" target="a"><trigger xmi:id="tr2" event="e2"/></transition>
             </region></packagedElement>
-            <packagedElement xmi:type="uml:AnyReceiveEvent" xmi:id="e1" name="go"/>
-            <packagedElement xmi:type="uml:AnyReceiveEvent" xmi:id="e2" name="«spontaneous» done"/>
+            <packagedElement xmi:type="uml:AnyReceiveEvent" xmi:id="e1" name="«urgent» go"/>
+            <packagedElement xmi:type="uml:AnyReceiveEvent" xmi:id="e2" name="«spontaneous»«urgent» done"/>
             </uml:Model>""";
 
-    private static final String UML_1 =
-            """
+    private static final String UML_1 = """
             <XMI xmi.version="1.2" xmlns:UML="org.omg.xmi.namespace.UML">
             <XMI.header><XMI.documentation><XMI.exporter>ArgoUML</XMI.exporter></XMI.documentation></XMI.header>
             <XMI.content><UML:Model xmi.id="model" name="m"><UML:Namespace.ownedElement>
@@ -37,12 +36,15 @@ class DeclaredEventsTest {
             </UML:CompositeState.subvertex></UML:CompositeState></UML:StateMachine.top><UML:StateMachine.transitions>
             %s%s%s
             </UML:StateMachine.transitions></UML:StateMachine>
-            </UML:Namespace.ownedElement></UML:Model></XMI.content></XMI>""".formatted(arc("i", "a", ""), arc("a", "b", "go"), arc("b", "a", "&lt;&lt;spontaneous&gt;&gt; done"));
+            </UML:Namespace.ownedElement></UML:Model></XMI.content></XMI>""".formatted(
+                    arc("i", "a", ""),
+                    arc("a", "b", "&lt;&lt;urgent&gt;&gt; go"),
+                    arc("b", "a", "&lt;&lt;urgent, spontaneous&gt;&gt; done"));
 
     private static final String SCXML = """
             <scxml xmlns="http://www.w3.org/2005/07/scxml" version="1.0" xmlns:ev="urn:evoloop">
-            <state id="A"><transition event="go" target="B"/></state>
-            <state id="B"><transition event="done" ev:spontaneous="true" target="A"/></state>
+            <state id="A"><transition event="go" ev:urgent="true" target="B"/></state>
+            <state id="B"><transition event="done" ev:spontaneous="true" ev:urgent="true" target="A"/></state>
             </scxml>""";
 
     private static String arc(String source, String target, String trigger) {
@@ -62,8 +64,8 @@ class DeclaredEventsTest {
                         .initial("i", "a")
                         .state("a", "A")
                         .state("b", "B")
-                        .transition("t1", "a", "go", "b")
-                        .transition("t2", "b", "«spontaneous» done", "a"))
+                        .transition("t1", "a", "«urgent» go", "b")
+                        .transition("t2", "b", "«spontaneous, urgent» done", "a"))
                 .text();
         return List.of(
                 Arguments.of("Astah", astah),
@@ -77,6 +79,7 @@ class DeclaredEventsTest {
     void shouldDeclareTheEventAndKeepItsName(String dialect, String document) {
         StateMachine machine = ChartText.machines(document).get(0).toStateMachine();
         assertThat(machine.spontaneous()).containsExactly(new Event("done"));
+        assertThat(machine.urgent()).containsExactlyInAnyOrder(new Event("go"), new Event("done"));
         assertThat(machine.events()).containsExactlyInAnyOrder(new Event("go"), new Event("done"));
     }
 }

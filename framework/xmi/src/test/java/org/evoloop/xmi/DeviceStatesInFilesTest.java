@@ -160,6 +160,8 @@ class DeviceStatesInFilesTest {
                 Arguments.of(scxml("ev:device=' '"), "write a state of the original model"),
                 Arguments.of(scxml("").replace("event=", "ev:sponteneous='true' event="), "did you mean spontaneous?"),
                 Arguments.of(scxml("").replace("event=", "ev:spontaneous='yes' event="), "write true or false"),
+                Arguments.of(scxml("").replace("event=", "ev:urgent='yes' event="), "write true or false"),
+                Arguments.of(scxml("").replace("event=", "ev:urgend='true' event="), "urgent"),
                 Arguments.of(
                         scxml("").replace("version=", "ev:device='X' version="), "device of urn:evoloop at scxml"));
     }

@@ -24,7 +24,7 @@ class ModelWriterTest {
     void mermaidIsWrittenAsPeopleWriteIt() {
         Statechart chart = plantUml("""
                 [*] --> Off : / boot
-                Off --> Lit : «spontaneous» power, key [x < 1] / say("a, b"), f(1, 2)
+                Off --> Lit : «spontaneous» power, «urgent» key [x < 1] / say("a, b"), f(1, 2)
                 state Lit {
                   [*] --> Low
                   Low --> High : a<U+002C> b
@@ -49,7 +49,7 @@ class ModelWriterTest {
                                 Low --> High : a#44; b
                                 High --> [*]
                             }
-                            Off --> Lit : «spontaneous» power, key [x < 1] / say("a, b"), f(1, 2)
+                            Off --> Lit : «spontaneous» power, «urgent» key [x < 1] / say("a, b"), f(1, 2)
                             Lit --> Off
                             High --> Off : out «local»
                         """);

@@ -73,7 +73,13 @@ public final class TimeCheck {
         boolean isTimed = !written.equals(TimeRules.NONE)
                 || evolved.states().stream()
                         .anyMatch(state -> !evolved.timers(state).isEmpty());
-        return isTimed ? new TimeCheck(input, written, file).run() : TimeReport.NONE;
+        if (!isTimed) {
+            return TimeReport.NONE;
+        }
+        TimeReport report = new TimeCheck(input, written, file).run();
+        return input.pair().hasUrgent()
+                ? report.beside(new TimeCheck(input.withoutUrgent(), written, file).run())
+                : report;
     }
 
     private TimeReport run() {

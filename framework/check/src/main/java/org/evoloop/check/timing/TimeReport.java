@@ -23,4 +23,16 @@ public record TimeReport(List<TimeVerdict> verdicts, List<Finding> findings, Lis
         findings = List.copyOf(findings);
         undecided = List.copyOf(undecided);
     }
+
+    /** A copy whose verdicts say what they would be if no event were urgent, as far as that could be decided. */
+    TimeReport beside(TimeReport nothingUrgent) {
+        List<TimeVerdict> both = verdicts.stream()
+                .map(verdict -> nothingUrgent.verdicts.stream()
+                        .filter(other -> other.property().equals(verdict.property()))
+                        .findFirst()
+                        .map(verdict::beside)
+                        .orElse(verdict))
+                .toList();
+        return new TimeReport(both, findings, undecided, note);
+    }
 }

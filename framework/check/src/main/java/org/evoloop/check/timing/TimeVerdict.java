@@ -9,9 +9,20 @@ package org.evoloop.check.timing;
  *     occurs
  * @param worst the longest time or highest number; -1 if it never occurs; {@link Span#FOR_EVER} if no bound was found
  * @param moments how many moments were explored
+ * @param worstIfNothingUrgent as {@code worst}, if no event were urgent; the same where that makes no difference
  * @since 0.1
  */
-public record TimeVerdict(TimeProperty property, boolean holds, long best, long worst, long moments) {
+public record TimeVerdict(
+        TimeProperty property, boolean holds, long best, long worst, long moments, long worstIfNothingUrgent) {
+    TimeVerdict(TimeProperty property, boolean holds, long best, long worst, long moments) {
+        this(property, holds, best, worst, moments, worst);
+    }
+
+    /** A copy that says what it would be if no event were urgent. */
+    TimeVerdict beside(TimeVerdict nothingUrgent) {
+        return new TimeVerdict(property, holds, best, worst, moments, nothingUrgent.worst);
+    }
+
     /** For people: {@code 'It answers' holds: after 0 s at best and 2.8 s at worst}. */
     @Override
     public String toString() {
@@ -28,7 +39,13 @@ public record TimeVerdict(TimeProperty property, boolean holds, long best, long 
         } else if (property.form() instanceof TimeForm.Stay stay && stay.span().maxNanos() == Span.FOR_EVER) {
             return Span.length(best) + " at worst";
         }
-        String longest = worst == Span.FOR_EVER ? "without a bound" : Span.length(worst);
-        return (best < 0 ? "never" : Span.length(best)) + " at best, " + longest + " at worst";
+        return (best < 0 ? "never" : Span.length(best)) + " at best, " + longest(worst) + " at worst"
+                + (worstIfNothingUrgent == worst
+                        ? ""
+                        : "; " + longest(worstIfNothingUrgent) + " if nothing were urgent");
+    }
+
+    private static String longest(long nanos) {
+        return nanos == Span.FOR_EVER ? "without a bound" : Span.length(nanos);
     }
 }

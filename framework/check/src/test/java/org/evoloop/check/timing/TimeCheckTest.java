@@ -54,6 +54,36 @@ class TimeCheckTest {
                 .contains(Rule.PROPERTY);
     }
 
+    @Test
+    void whatIsUrgentIsComparedWithWhatItWouldBeOtherwise() {
+        ModelPair lift = new ModelPair(
+                StateMachine.named("lift")
+                        .initial("F")
+                        .transition("F", "up", "G")
+                        .transition("G", "up", "H")
+                        .build(),
+                StateMachine.named("express")
+                        .initial("F")
+                        .transition("F", "up", "G")
+                        .transition("G", "up", "H")
+                        .transition("F", "express", "H")
+                        .transition("F", "fire", "Alarm")
+                        .transition("G", "fire", "Alarm")
+                        .transition("H", "fire", "Alarm")
+                        .urgent("fire")
+                        .build());
+        TimeReport report = check(
+                lift,
+                "takes up 2 s",
+                "queue 3",
+                "at least 1 s between fire",
+                "Alarmed: after event fire, Alarm within 9 s");
+
+        assertThat(report.verdicts())
+                .singleElement()
+                .hasToString("'Alarmed' holds: 0 s at best, 2 s at worst; without a bound if nothing were urgent");
+    }
+
     static Stream<Arguments> verdicts() {
         String slow = "takes press 1 s .. 2 s";
         String later = "dim comes 1 s .. 2 s after state On";

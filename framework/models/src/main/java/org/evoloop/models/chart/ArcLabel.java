@@ -3,7 +3,6 @@ package org.evoloop.models.chart;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.evoloop.statechart.Arc;
-import org.evoloop.statechart.Spontaneous;
 
 /** The label of a transition in UML's notation. */
 public final class ArcLabel {
@@ -12,7 +11,7 @@ public final class ArcLabel {
     /** {@code trigger, trigger [guard] / effect; effect {local}}; missing parts are left out. */
     public static String of(Arc arc) {
         String triggers = arc.triggers().stream()
-                .map(trigger -> arc.spontaneous().contains(trigger) ? Spontaneous.mark(trigger) : trigger)
+                .map(trigger -> arc.keywords(trigger) + trigger)
                 .collect(Collectors.joining(", "));
         String label = of(triggers, arc.guard(), arc.effects());
         return arc.kind() == Arc.Kind.LOCAL ? (label + " {local}").strip() : label;

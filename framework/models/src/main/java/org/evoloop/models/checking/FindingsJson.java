@@ -39,7 +39,8 @@ public record FindingsJson(List<Row> findings, List<OffRow> switchedOff, List<Ve
 
     /**
      * The result of a time property. {@code worstNanos} is null if there is no bound; both times are null if the
-     * measured situation never occurs.
+     * measured situation never occurs. What the worst would be if no event were urgent is the same where that makes no
+     * difference.
      */
     public record Verdict(
             String property,
@@ -47,6 +48,7 @@ public record FindingsJson(List<Row> findings, List<OffRow> switchedOff, List<Ve
             boolean holds,
             @Nullable Long bestNanos,
             @Nullable Long worstNanos,
+            @Nullable Long worstNanosIfNothingUrgent,
             long moments) {}
 
     /**
@@ -114,8 +116,13 @@ public record FindingsJson(List<Row> findings, List<OffRow> switchedOff, List<Ve
                 verdict.property().line(),
                 verdict.holds(),
                 verdict.best() < 0 ? null : verdict.best(),
-                verdict.worst() < 0 || verdict.worst() == Span.FOR_EVER ? null : verdict.worst(),
+                bounded(verdict.worst()),
+                bounded(verdict.worstIfNothingUrgent()),
                 verdict.moments());
+    }
+
+    private static @Nullable Long bounded(long nanos) {
+        return nanos < 0 || nanos == Span.FOR_EVER ? null : nanos;
     }
 
     private static Timed timed(TimedEvent event) {

@@ -22,6 +22,9 @@ public final class PlanText {
         lines.add("plan from " + plan.pair().original() + " to " + plan.pair().evolved());
         lines.add("assumed: the converter can send " + names(plan.device().sendable()) + "; the device takes "
                 + names(plan.device().spontaneous()) + " by itself");
+        if (plan.pair().hasUrgent()) {
+            lines.add("urgent: " + names(plan.pair().urgent()));
+        }
         if (!plan.device().doNotPass().isEmpty()) {
             lines.add("not to be passed: "
                     + plan.device().doNotPass().stream()

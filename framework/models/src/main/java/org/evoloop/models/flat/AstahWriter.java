@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.evoloop.statechart.DeviceUse;
-import org.evoloop.statechart.Spontaneous;
+import org.evoloop.statechart.EventKeywords;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
@@ -127,8 +127,7 @@ public final class AstahWriter {
     }
 
     private String trigger(Transition transition) {
-        Event trigger = transition.event().trigger();
-        return machine.spontaneous().contains(trigger) ? Spontaneous.mark(trigger.name()) : trigger.name();
+        return EventKeywords.drawn(machine, transition.event().trigger());
     }
 
     private static String junction(int number, int guard) {

@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import org.evoloop.statechart.Arc;
 import org.evoloop.statechart.DeviceUse;
+import org.evoloop.statechart.EventKeywords;
 import org.evoloop.statechart.Place;
 import org.evoloop.statechart.Region;
-import org.evoloop.statechart.Spontaneous;
 import org.evoloop.statechart.Statechart;
 import org.evoloop.statechart.Vertex;
 import org.evoloop.statechart.Vertex.ChartState;
@@ -113,8 +113,8 @@ public final class FlatDrawing {
                 Arc.Kind.EXTERNAL));
     }
 
-    /** The event's name, with the keyword if only the device raises it. */
+    /** The event's name, with its keywords. */
     private String drawn(Event event) {
-        return machine.spontaneous().contains(event.trigger()) ? Spontaneous.mark(event.name()) : event.name();
+        return EventKeywords.drawn(machine, event.trigger());
     }
 }

@@ -37,14 +37,14 @@ final class WholeChart {
                 List.of("switch(\"on\")"),
                 List.of("switch(\"off\")"),
                 List.of("hum {quietly}"),
-                List.of(arc("outer", "outer", "tick", "x < 1", "count\nagain", Arc.Kind.INTERNAL)),
+                List.of(arc("outer", "outer", "«urgent» tick", "x < 1", "count\nagain", Arc.Kind.INTERNAL)),
                 List.of("later"),
                 List.of(left, right),
                 List.of(
                         new Pseudostate("in", "way in", Place.NONE, Kind.ENTRY_POINT),
                         new Pseudostate("out", "way out", Place.NONE, Kind.EXIT_POINT))));
         arcs.add(arc("outer", "final", "stop; now", "[ready]", "say 'bye' / leave", Arc.Kind.EXTERNAL));
-        arcs.add(arc("outer", "a", "again", "", "", Arc.Kind.LOCAL));
+        arcs.add(arc("outer", "a", "«spontaneous, urgent» again", "", "", Arc.Kind.LOCAL));
         return new Statechart(
                 "the whole", Place.NONE, List.of(new Region("", Place.NONE, vertices, arcs)), List.of("declared only"));
     }

@@ -11,7 +11,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.evoloop.console.JsonObject;
-import org.evoloop.converter.EdgeShell;
+import org.evoloop.converter.edge.EdgeShell;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.function.Reading;
 import org.evoloop.mqtt.BrokerAddress;

@@ -21,7 +21,11 @@ final class Json {
         this.text = text;
     }
 
-    /** Parses {@code text} as an object. @throws IllegalArgumentException if it is not one */
+    /**
+     * Parses {@code text} as an object.
+     *
+     * @throws IllegalArgumentException if it is not one
+     */
     static Map<String, @Nullable Object> object(String text) {
         Json json = new Json(text);
         json.expect('{');

@@ -1,7 +1,7 @@
 package org.evoloop.mqtt.edge;
 
 import java.util.Map;
-import org.evoloop.converter.EdgeShell;
+import org.evoloop.converter.edge.EdgeShell;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;

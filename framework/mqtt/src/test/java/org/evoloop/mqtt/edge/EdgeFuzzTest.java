@@ -21,7 +21,7 @@ import java.util.Map;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.evoloop.RecordingExecute;
-import org.evoloop.converter.EdgeShell;
+import org.evoloop.converter.edge.EdgeShell;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.mqtt.BrokerAddress;
 import org.evoloop.mqtt.Mosquitto;

@@ -10,8 +10,8 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.evoloop.statechart.Arc;
+import org.evoloop.statechart.EventKeywords;
 import org.evoloop.statechart.Place;
-import org.evoloop.statechart.Spontaneous;
 import org.evoloop.statechart.Vertex;
 import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.statechart.Vertex.Pseudostate;
@@ -259,9 +259,10 @@ final class ScxmlArcs {
             List<String> names,
             String guard,
             Supplier<String> label) {
-        List<String> triggers = ScxmlOwn.isSpontaneous(transition)
-                ? names.stream().map(Spontaneous::mark).toList()
-                : names;
+        String keywords = EventKeywords.before(ScxmlOwn.isSpontaneous(transition), ScxmlOwn.isUrgent(transition));
+        List<String> triggers = keywords.isEmpty()
+                ? names
+                : names.stream().map(name -> keywords + name).toList();
         Place place = new Place("", transition.line());
         String key = state.key();
         List<String> effects = ScxmlActions.in(transition);

@@ -18,6 +18,7 @@ final class ScxmlOwn {
     static final String NAME = "name";
 
     private static final String SPONTANEOUS = "spontaneous";
+    private static final String URGENT = "urgent";
     private static final String DEVICE = "device";
     private static final String SENDS = "sends";
 
@@ -26,13 +27,18 @@ final class ScxmlOwn {
             "parallel", List.of(NAME, DEVICE, SENDS),
             "final", List.of(NAME),
             "history", List.of(NAME),
-            "transition", List.of(SPONTANEOUS));
+            "transition", List.of(SPONTANEOUS, URGENT));
 
     private ScxmlOwn() {}
 
     /** Whether the device raises the transition's events itself. */
     static boolean isSpontaneous(XmlNode transition) {
         return value(transition, SPONTANEOUS).equals("true");
+    }
+
+    /** Whether the transition's events are urgent. */
+    static boolean isUrgent(XmlNode transition) {
+        return value(transition, URGENT).equals("true");
     }
 
     /** What a state has to do with the device. */
@@ -102,12 +108,13 @@ final class ScxmlOwn {
             return;
         }
         String value = node.attribute(attribute).strip();
-        if (name.equals(SPONTANEOUS) ? !List.of("true", "false").contains(value) : value.isEmpty()) {
+        boolean truth = name.equals(SPONTANEOUS) || name.equals(URGENT);
+        if (truth ? !List.of("true", "false").contains(value) : value.isEmpty()) {
             problems.add(
                     node.line(),
                     "attribute " + name + " of urn:evoloop at " + ScxmlVocabulary.label(node) + " is "
                             + Problems.quote(value) + "; write "
-                            + (name.equals(SPONTANEOUS)
+                            + (truth
                                     ? "true or false"
                                     : name.equals(DEVICE)
                                             ? "a state of the original model"

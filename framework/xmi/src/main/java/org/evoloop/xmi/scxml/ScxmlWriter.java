@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -301,18 +302,17 @@ public final class ScxmlWriter {
                     + DrawnChart.label(chart.vertex(arc.source())) + " has several, ["
                     + String.join("] [", way.guards()) + "]");
         }
-        List<String> plain = arc.triggers().stream()
-                .filter(trigger -> !arc.spontaneous().contains(trigger))
-                .toList();
-        if (!plain.isEmpty() || arc.triggers().isEmpty()) {
-            element(way, plain, false, depth, done);
+        if (arc.triggers().isEmpty()) {
+            element(way, List.of(), depth, done);
         }
-        if (!arc.spontaneous().isEmpty()) {
-            element(way, arc.spontaneous(), true, depth, done);
-        }
+        // The attributes are those of all events of a transition.
+        arc.triggers().stream()
+                .collect(Collectors.groupingBy(arc::keywords, LinkedHashMap::new, Collectors.toList()))
+                .values()
+                .forEach(alike -> element(way, alike, depth, done));
     }
 
-    private void element(Way way, List<String> triggers, boolean spontaneous, int depth, String done) {
+    private void element(Way way, List<String> triggers, int depth, String done) {
         Arc arc = way.first();
         String event =
                 triggers.isEmpty() && !done.isEmpty() ? "done.state." + ids.get(done) : String.join(" ", triggers);
@@ -326,10 +326,11 @@ public final class ScxmlWriter {
                 : way.targets().stream()
                         .map(target -> ids.getOrDefault(target, target))
                         .collect(Collectors.joining(" "));
-        String begin =
-                "<transition" + attribute("event", event) + attribute("cond", guard) + attribute("target", targets)
-                        + (arc.kind() == Arc.Kind.LOCAL && !targets.isEmpty() ? " type=\"internal\"" : "")
-                        + (spontaneous ? " ev:spontaneous=\"true\"" : "");
+        String begin = "<transition" + attribute("event", event) + attribute("cond", guard)
+                + attribute("target", targets)
+                + (arc.kind() == Arc.Kind.LOCAL && !targets.isEmpty() ? " type=\"internal\"" : "")
+                + (arc.spontaneous().containsAll(triggers) && !triggers.isEmpty() ? " ev:spontaneous=\"true\"" : "")
+                + (arc.urgent().containsAll(triggers) && !triggers.isEmpty() ? " ev:urgent=\"true\"" : "");
         if (way.effects().isEmpty()) {
             line(depth, begin + "/>");
             return;

@@ -54,7 +54,8 @@ final class Behaviors {
             noteSlash(text, line, column);
             internal(state, Label.parse(text, column, syntax), line, column);
         } else if (KEYWORD.matcher(text).lookingAt()) {
-            throw new Refusal(column, "a keyword ends with » or >> and has nothing beside it; write it in its own line");
+            throw new Refusal(
+                    column, "a keyword ends with » or >> and has nothing beside it; write it in its own line");
         } else if (!text.isBlank()) {
             problems.note(
                     line,

@@ -148,7 +148,7 @@ record Label(List<String> triggers, List<String> guards, List<String> effects, b
             return -1;
         }
 
-        /** The parts between separators that are neither in round brackets nor in quotation marks. */
+        /** The parts between separators that are neither in round brackets, quotation marks nor keywords. */
         static List<String> split(String text, String separators, Syntax syntax) {
             List<String> parts = new ArrayList<>();
             boolean nested = isBalanced(text);
@@ -159,13 +159,22 @@ record Label(List<String> triggers, List<String> guards, List<String> effects, b
                 char letter = plain(text, i, syntax);
                 quoted ^= letter == '"';
                 depth += !nested || quoted ? 0 : letter == '(' ? 1 : letter == ')' ? -1 : 0;
-                if (depth == 0 && !quoted && separators.indexOf(letter) >= 0) {
+                if (depth == 0 && !quoted && separators.indexOf(letter) >= 0 && !isInKeyword(text, i)) {
                     add(text.substring(from, i), syntax, parts);
                     from = i + 1;
                 }
             }
             add(text.substring(from), syntax, parts);
             return parts;
+        }
+
+        /** Whether keywords in guillemets, or in two angle brackets, have begun before and end after {@code index}. */
+        private static boolean isInKeyword(String text, int index) {
+            return isBetween("«", "»", text, index) || isBetween("<<", ">>", text, index);
+        }
+
+        private static boolean isBetween(String open, String close, String text, int index) {
+            return text.lastIndexOf(open, index) > text.lastIndexOf(close, index) && text.indexOf(close, index) >= 0;
         }
 
         private static void add(String part, Syntax syntax, List<String> parts) {

@@ -82,6 +82,7 @@ public final class MermaidWriter {
                             .toList(),
                     arc.kind(),
                     arc.spontaneous(),
+                    arc.urgent(),
                     arc.order());
         }
         return whole;

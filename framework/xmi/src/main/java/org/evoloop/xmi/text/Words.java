@@ -10,7 +10,6 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.evoloop.statechart.Arc;
-import org.evoloop.statechart.Spontaneous;
 
 /** Texts for a diagram of Mermaid. A letter is escaped only where Mermaid or this package would take it for a sign. */
 final class Words {
@@ -82,7 +81,7 @@ final class Words {
     static String label(Arc arc) {
         List<String> parts = new ArrayList<>();
         List<String> triggers = arc.triggers().stream()
-                .map(event -> arc.spontaneous().contains(event) ? Spontaneous.mark(trigger(event)) : trigger(event))
+                .map(event -> arc.keywords(event) + trigger(event))
                 .toList();
         parts.add(String.join(", ", triggers));
         if (!arc.guard().isEmpty()) {

@@ -45,6 +45,7 @@ class TextReadingTest {
                 "A --> B : say(\"a, b\"), hush | say(\"a, b\"), hush",
                 "A --> B : «spontaneous» done | done",
                 "A --> B : <<spontaneous>> done | done",
+                "A --> B : «urgent, spontaneous» done | done",
             })
     void labelsAreTheSameInBothLanguages(String transition, String label) {
         String expected = "A -> B : " + label;
@@ -53,11 +54,19 @@ class TextReadingTest {
     }
 
     @Test
-    void theKeywordDeclaresASpontaneousEvent() {
-        StateMachine machine = file("lamp.mmd", "stateDiagram-v2\n[*] --> A\nA --> B : «spontaneous» done\n")
+    void aCommentAtTheEndOfALineIsIgnoredInPlantUml() {
+        assertThat(plantUml("[*] --> A /' first '/", "A --> B : go /' and '/")).contains(START, "A -> B : go");
+    }
+
+    @Test
+    void theKeywordsDeclareSpontaneousAndUrgentEvents() {
+        StateMachine machine = file(
+                        "lamp.mmd",
+                        "stateDiagram-v2\n[*] --> A\nA --> B : «spontaneous» done, «urgent» fire, <<urgent, spontaneous>> low\n")
                 .only();
 
-        assertThat(machine.spontaneous()).extracting(Object::toString).containsExactly("done");
+        assertThat(machine.spontaneous()).extracting(Object::toString).containsExactly("done", "low");
+        assertThat(machine.urgent()).extracting(Object::toString).containsExactly("fire", "low");
     }
 
     @ParameterizedTest
