@@ -13,6 +13,8 @@ import org.jspecify.annotations.Nullable;
  * <ul>
  *   <li>{@code name}; {@code loop}: new, stopped, running or exited
  *   <li>{@code originalState}, {@code newState}: the current states of the models
+ *   <li>{@code system}: the latter for people, with where the device is if the state needs it somewhere: {@code Gap, the
+ *   device in StopUp}
  *   <li>{@code lastKnownSince}: since when these are only the last known ones, in UTC, such as {@code
  *   2026-11-22T15:04:05.123Z}; {@code null} while the loop is open and the device can be reached
  *   <li>{@code queue}: {@code depth}, {@code capacity}, {@code highest}, {@code taken}, {@code dropped}, {@code
@@ -49,6 +51,7 @@ public final class StatusJson {
                 .put("loop", lowerCase(status.loop()))
                 .put("originalState", status.states().original().name())
                 .put("newState", status.states().evolved().name())
+                .put("system", status.system())
                 .put("evolution", status.evolution())
                 .put("shadow", status.shadow())
                 .put("doubt", status.doubt())

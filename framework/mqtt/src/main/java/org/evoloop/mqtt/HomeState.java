@@ -36,6 +36,7 @@ final class HomeState {
                 .put("converting", status.loop() == LoopState.RUNNING ? "ON" : "OFF")
                 .put("device_state", status.states().original().name())
                 .put("state", status.states().evolved().name())
+                .put("system", status.system())
                 .put("progress", text(status.function().describe()))
                 .put("function", JsonObject.of(status.function().readings()))
                 .put("reachable", link == null || link.up() ? "ON" : "OFF")
