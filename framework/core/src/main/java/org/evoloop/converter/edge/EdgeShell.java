@@ -161,7 +161,7 @@ public final class EdgeShell implements AutoCloseable {
         access.bindings().watch(config, failures::fault);
         Supplier<Configuration> place = () -> at;
         access.attach(place);
-        visits.attach(loop);
+        visits.attach(loop, EdgeShell::decidedElsewhere);
         loop.addAnalyze(new EventAnalyze());
         loop.addPlan(new EventPlan());
         for (Component component : assembly.all()) {
