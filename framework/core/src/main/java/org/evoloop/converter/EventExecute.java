@@ -6,11 +6,13 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.evoloop.converter.attachment.EventsByName;
 import org.evoloop.converter.attachment.ExecuteAccess;
 import org.evoloop.converter.attachment.Friends;
+import org.evoloop.converter.attachment.UserCode;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;
@@ -217,20 +219,20 @@ public abstract class EventExecute extends Execute<ChangePlan> {
         @Override
         public Optional<State> locate(Function<String, State> states, boolean isLast, Consumer<Throwable> reports)
                 throws Exception {
-            try {
-                return requireNonNull(
-                                EventExecute.this.locate(),
-                                "locate() is null; return Optional.empty() if the device does not know it")
-                        .map(states);
-            } catch (InterruptedException stop) {
-                throw stop;
-            } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {
-                if (isLast) {
-                    throw cause;
+            AtomicReference<Optional<State>> found = new AtomicReference<>(Optional.empty());
+            UserCode.Call asking = () -> found.set(requireNonNull(
+                            EventExecute.this.locate(),
+                            "locate() is null; return Optional.empty() if the device does not know it")
+                    .map(states));
+            if (isLast) {
+                asking.run();
+            } else {
+                Throwable cause = UserCode.call(asking);
+                if (cause != null) {
+                    reports.accept(cause);
                 }
-                reports.accept(cause);
-                return Optional.empty();
             }
+            return requireNonNull(found.get());
         }
 
         @Override
