@@ -63,7 +63,8 @@ final class DeviceStateRules {
                     .toList();
             if (!input.device().sendable().contains(event)) {
                 boolean exists = pair.original().triggers().contains(event);
-                String meant = exists ? "" : Names.meant(event.name(), input.device().sendable());
+                String meant =
+                        exists ? "" : Names.meant(event.name(), input.device().sendable());
                 String remedy = meant.isEmpty() ? "remove it, or let the converter send it" : meant.substring(2);
                 sends(state, "which cannot be sent", remedy, event, here);
             } else if (known.isEmpty()) {
