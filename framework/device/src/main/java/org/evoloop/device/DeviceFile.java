@@ -158,8 +158,7 @@ public final class DeviceFile {
     /** Reads the sections of a file that use its connections. */
     private static final class Reader {
         /** Whatever has one of these keys is a rule, and no short form. */
-        private static final Set<String> RULE_KEYS =
-                Set.of(
+        private static final Set<String> RULE_KEYS = Set.of(
                 "from", "values", "event", "state", "line", "topic", "json", "pattern", "ranges", "steady", "contact");
 
         private final Section file;

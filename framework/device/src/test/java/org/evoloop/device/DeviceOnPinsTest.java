@@ -154,9 +154,11 @@ class DeviceOnPinsTest {
                 """);
         assertThat(problems.all())
                 .anySatisfy(line -> assertThat(line).startsWith("coffee.yaml:1: debounce: 'soon' is no duration"))
-                .anySatisfy(line -> assertThat(line).startsWith("coffee.yaml:2: pulse: '30' is no whole number from 2 to 27"))
+                .anySatisfy(line ->
+                        assertThat(line).startsWith("coffee.yaml:2: pulse: '30' is no whole number from 2 to 27"))
                 .anySatisfy(line -> assertThat(line).startsWith("coffee.yaml:3: heat needs level"))
-                .anySatisfy(line -> assertThat(line).startsWith("coffee.yaml:4: level: 'medium' is neither high nor low"))
+                .anySatisfy(
+                        line -> assertThat(line).startsWith("coffee.yaml:4: level: 'medium' is neither high nor low"))
                 .anySatisfy(line -> assertThat(line).startsWith("coffee.yaml:5: press needs event"))
                 .anySatisfy(line -> assertThat(line).startsWith("coffee.yaml:6: GPIO 17 is used twice"))
                 .anySatisfy(line -> assertThat(line).startsWith("coffee.yaml:7: state needs closed or open"))
