@@ -56,7 +56,7 @@ final class GpioFileConnection extends Connection {
         Optional<Integer> number = rule.number(key, Pins.LOWEST, Pins.HIGHEST);
         number.ifPresent(pin -> {
             Use before = uses.put(pin, use);
-            if (before == Use.CONTACT || (before != null && before != use)) {
+            if (before != null && (before == Use.CONTACT || before != use)) {
                 rule.problem("GPIO " + pin + " is used twice; give each a pin of its own");
             }
         });
