@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.Locale;
 import org.evoloop.converter.ConverterStatus;
 import org.evoloop.loop.ComponentStatus;
+import org.evoloop.payload.JsonObject;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -43,8 +44,8 @@ import org.jspecify.annotations.Nullable;
 public final class StatusJson {
     private StatusJson() {}
 
-    /** The line, without a line feed. */
-    public static String of(ConverterStatus status) {
+    /** The line. */
+    public static JsonObject of(ConverterStatus status) {
         return new JsonObject()
                 .put("name", status.name())
                 .put("loop", lowerCase(status.loop()))
@@ -99,8 +100,7 @@ public final class StatusJson {
                                 .put("readings", JsonObject.of(status.function().readings())))
                 .put("timers", status.timers().stream().map(StatusJson::timer).toList())
                 .put("faults", status.faults().stream().map(StatusJson::fault).toList())
-                .put("link", link(status.link()))
-                .toString();
+                .put("link", link(status.link()));
     }
 
     private static @Nullable JsonObject link(ConverterStatus.@Nullable LinkStatus link) {

@@ -111,7 +111,7 @@ class StatusFormatTest {
 
     @Test
     void asJson() {
-        assertThat(StatusJson.of(BUSY))
+        assertThat(StatusJson.of(BUSY).toString())
                 .startsWith(
                         "{\"name\":\"robot\",\"loop\":\"running\",\"originalState\":\"On\",\"newState\":\"Move\",\"system\":\"Move, the device in On\",\"evolution\":\"\",\"shadow\":\"\",\"doubt\":\"\",\"lastKnownSince\":null,"
                                 + "\"queue\":{\"depth\":2,\"capacity\":8,\"highest\":5,"
@@ -121,7 +121,7 @@ class StatusFormatTest {
                                 + "\"conversionTime\":{\"events\":33,\"lastNanos\":180499,\"medianNanos\":999499,"
                                 + "\"percentile99Nanos\":12340000},\"components\":[")
                 .contains("\"activity\":\"stuck\",\"failures\":2,"
-                        + "\"lastFailure\":\"Motors.execute: \\\"no\\\\answer\\\"\\u0009\\u00e9\"}]")
+                        + "\"lastFailure\":\"Motors.execute: \\\"no\\\\answer\\\"\\t\\u00E9\"}]")
                 .endsWith("\"function\":{\"state\":\"Move\",\"thread\":\"function-Move-7\","
                         + "\"progress\":\"driving there\",\"readings\":{\"distance\":1.204}},"
                         + "\"timers\":[{\"event\":\"tm(90s)\",\"remainingMillis\":61400,\"due\":\"2026-11-22T15:01:01.400Z\"},"
@@ -160,7 +160,7 @@ class StatusFormatTest {
         assertThat(out.lines().get(1))
                 .matches(
                         "states {6}original On, new Move, the device in On; last known, since 2026-11-2\\d \\d\\d:\\d\\d:05");
-        assertThat(StatusJson.of(stopped)).contains("\"lastKnownSince\":\"2026-11-22T15:04:05.123Z\"");
+        assertThat(StatusJson.of(stopped).toString()).contains("\"lastKnownSince\":\"2026-11-22T15:04:05.123Z\"");
     }
 
     private static ConverterStatus running(

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.evoloop.converter.SystemEventConverter;
@@ -22,6 +23,7 @@ import org.jspecify.annotations.Nullable;
 /** A device that answers HTTP requests, made of a {@link HttpPoll} and a {@link HttpExecute}. */
 final class HttpFileConnection extends Connection {
     private static final Pattern CALL = Pattern.compile("(?<method>GET|POST|PUT) (?<path>/\\S*)");
+    private static final Pattern STATUSES = Pattern.compile("(?<from>[1-9][0-9]{2})(?:\\.\\.(?<to>[1-9][0-9]{2}))?");
 
     private final FileModels models;
     private final @Nullable String base;
@@ -84,7 +86,20 @@ final class HttpFileConnection extends Connection {
     public void send(Node.Text event, Section how) {
         String body = how.text("body").map(Node.Text::value).orElse("");
         how.require("call");
-        how.value("call", text -> call(text, body)).ifPresent(call -> calls.put(event.value(), call));
+        UnaryOperator<HttpCall> accepting =
+                how.value("accepted", HttpFileConnection::statuses).orElse(UnaryOperator.identity());
+        how.value("call", text -> call(text, body)).ifPresent(call -> calls.put(event.value(), accepting.apply(call)));
+    }
+
+    private static UnaryOperator<HttpCall> statuses(String text) {
+        Matcher range = STATUSES.matcher(text);
+        if (!range.matches()) {
+            throw new IllegalArgumentException("'" + text + "' is no range of statuses; write 200..299 or 204");
+        }
+        int from = Integer.parseInt(range.group("from"));
+        int to = range.group("to") == null ? from : Integer.parseInt(range.group("to"));
+        HttpCall.get("http://any").accepting(from, to);
+        return call -> call.accepting(from, to);
     }
 
     private void requirePoll(Section rule) {

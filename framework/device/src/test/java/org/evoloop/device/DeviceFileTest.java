@@ -8,7 +8,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import org.evoloop.config.Settings;
 import org.evoloop.device.file.DeviceFileException;
+import org.evoloop.page.PageOptions;
+import org.evoloop.service.ServiceOptions;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -86,7 +90,7 @@ class DeviceFileTest {
     }
 
     private DeviceFile read(String text) throws IOException {
-        return DeviceFile.read(Files.writeString(folder.resolve("fan.yaml"), text), List.of("journal", "page"));
+        return DeviceFile.read(Files.writeString(folder.resolve("fan.yaml"), text), DeviceProgram.options());
     }
 
     private List<String> mistakes(String text) {
@@ -114,9 +118,32 @@ class DeviceFileTest {
     }
 
     @Test
-    void theProgramsOptionsMayStandInIt() throws IOException {
-        assertThat(read(FAN + "journal: kept\npage: 8080\n").options())
-                .containsExactly("--journal=kept", "--page=8080");
+    void theProgramsOptionsMayStandInItAndTheirPathsAreRelativeToIt() throws IOException {
+        DeviceFile fan = read(FAN + "journal: kept\npage: 8080\nstart: true\n");
+        Settings settings = DeviceProgram.options().read(List.of("--page=9090"), fan.options(), Map.of());
+        ServiceOptions service = ServiceOptions.of(settings);
+        assertThat(service.journal()).isEqualTo(folder.resolve("kept"));
+        assertThat(service.start()).isTrue();
+        assertThat(PageOptions.of(settings).port()).isEqualTo(9090);
+    }
+
+    @Test
+    void aMistakeInAProgramsOptionHasItsLine() {
+        int line = (int) FAN.lines().count();
+        assertThat(mistakes(FAN + "page: many\nstart: maybe\nmqtt: [a, b]\nname: ''\njournal: {a: b}\n"
+                        + "mqtt-password: secret\n"))
+                .satisfiesExactly(
+                        page -> assertThat(page).startsWith("fan.yaml:" + (line + 1) + ": page"),
+                        start -> assertThat(start)
+                                .isEqualTo("fan.yaml:" + (line + 2)
+                                        + ": start: 'maybe' is neither true nor false; write one of them"),
+                        mqtt -> assertThat(mqtt)
+                                .isEqualTo("fan.yaml:" + (line + 3) + ": mqtt takes one value, not a list"),
+                        name -> assertThat(name).startsWith("fan.yaml:" + (line + 4) + ": name"),
+                        journal -> assertThat(journal).startsWith("fan.yaml:" + (line + 5) + ": journal is a mapping"),
+                        password -> assertThat(password)
+                                .startsWith("fan.yaml:" + (line + 6) + ": 'mqtt-password' is not known")
+                                .contains("mqtt-password-file"));
     }
 
     @Test

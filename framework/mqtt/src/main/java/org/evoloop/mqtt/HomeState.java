@@ -2,7 +2,6 @@ package org.evoloop.mqtt;
 
 import java.util.List;
 import java.util.Locale;
-import org.evoloop.console.JsonObject;
 import org.evoloop.console.ShadowJson;
 import org.evoloop.converter.ConverterStatus;
 import org.evoloop.converter.HistoryEntry;
@@ -10,6 +9,7 @@ import org.evoloop.converter.Shadow;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.LoopState;
+import org.evoloop.payload.JsonObject;
 
 /** A converter's status as it is published: JSON, with the keys that {@link HomeDiscovery} names in its templates. */
 final class HomeState {
