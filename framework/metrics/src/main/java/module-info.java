@@ -1,13 +1,9 @@
-/** Metrics of a running converter for Prometheus. */
+/** Metrics of a running converter, for Micrometer. */
 @SuppressWarnings("requires-automatic")
 module org.evoloop.metrics {
     requires static org.jspecify;
-    requires transitive org.evoloop.page;
     requires micrometer.core;
-    requires micrometer.registry.prometheus;
+    requires transitive org.evoloop.core;
 
     exports org.evoloop.metrics;
-
-    provides org.evoloop.page.Document with
-            org.evoloop.metrics.PrometheusDocument;
 }

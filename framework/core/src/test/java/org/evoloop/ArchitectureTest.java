@@ -2,9 +2,11 @@ package org.evoloop;
 
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 
 import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaCodeUnit;
 import com.tngtech.archunit.core.domain.JavaField;
 import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.core.importer.ImportOption;
@@ -15,6 +17,8 @@ import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.lang.ConditionEvents;
 import com.tngtech.archunit.lang.SimpleConditionEvent;
 import com.tngtech.archunit.library.Architectures;
+import com.tngtech.archunit.library.dependencies.SliceAssignment;
+import com.tngtech.archunit.library.dependencies.SliceIdentifier;
 import com.tngtech.archunit.library.dependencies.SlicesRuleDefinition;
 import java.time.Clock;
 import java.time.Instant;
@@ -25,6 +29,8 @@ import java.time.ZonedDateTime;
 import java.util.Random;
 import java.util.Timer;
 import java.util.UUID;
+import java.util.stream.Stream;
+import org.evoloop.loop.Component;
 
 /**
  * The packages of the core module and the dependencies allowed between them; those between modules are in module-info.
@@ -52,8 +58,22 @@ class ArchitectureTest {
             .definedBy("org.evoloop.loop..")
             .layer("function")
             .definedBy("org.evoloop.function..")
+            .layer("rehearsal")
+            .definedBy("org.evoloop.rehearsal..")
+            .layer("binding")
+            .definedBy("org.evoloop.converter.binding..")
+            .layer("attachment")
+            .definedBy("org.evoloop.converter.attachment..")
             .layer("converter")
-            .definedBy("org.evoloop.converter..")
+            .definedBy("org.evoloop.converter")
+            .layer("recording")
+            .definedBy("org.evoloop.converter.recording..")
+            .layer("running")
+            .definedBy("org.evoloop.converter.running..")
+            .layer("changing")
+            .definedBy("org.evoloop.converter.changing..")
+            .layer("edge")
+            .definedBy("org.evoloop.converter.edge..")
             .whereLayer("statemachine")
             .mayNotAccessAnyLayer()
             .whereLayer("time")
@@ -70,13 +90,129 @@ class ArchitectureTest {
             .mayOnlyAccessLayers("time", "flight")
             .whereLayer("function")
             .mayOnlyAccessLayers("evolution", "loop", "time", "statemachine")
+            .whereLayer("rehearsal")
+            .mayOnlyAccessLayers("engine", "evolution", "statemachine")
+            .whereLayer("binding")
+            .mayOnlyAccessLayers("loop", "evolution", "time", "statemachine")
+            .whereLayer("attachment")
+            .mayOnlyAccessLayers("binding", "loop", "function", "evolution", "statemachine")
             .whereLayer("converter")
             .mayOnlyAccessLayers(
-                    "engine", "migration", "loop", "function", "flight", "evolution", "time", "statemachine");
+                    "attachment",
+                    "binding",
+                    "engine",
+                    "rehearsal",
+                    "migration",
+                    "loop",
+                    "function",
+                    "evolution",
+                    "time",
+                    "statemachine")
+            .whereLayer("recording")
+            .mayOnlyAccessLayers(
+                    "converter", "attachment", "engine", "loop", "flight", "evolution", "time", "statemachine")
+            .whereLayer("running")
+            .mayOnlyAccessLayers(
+                    "recording",
+                    "converter",
+                    "attachment",
+                    "binding",
+                    "engine",
+                    "rehearsal",
+                    "migration",
+                    "loop",
+                    "function",
+                    "flight",
+                    "evolution",
+                    "time",
+                    "statemachine")
+            .whereLayer("changing")
+            .mayOnlyAccessLayers(
+                    "running",
+                    "recording",
+                    "converter",
+                    "attachment",
+                    "engine",
+                    "migration",
+                    "loop",
+                    "evolution",
+                    "time",
+                    "statemachine")
+            .whereLayer("edge")
+            .mayOnlyAccessLayers(
+                    "running",
+                    "recording",
+                    "converter",
+                    "attachment",
+                    "binding",
+                    "engine",
+                    "loop",
+                    "evolution",
+                    "statemachine");
 
     @ArchTest
     static final ArchRule noRoomsLeadInACircle =
             SlicesRuleDefinition.slices().matching("org.evoloop.(**)").should().beFreeOfCycles();
+
+    /** The packages that no module exports. */
+    private static final String[] HIDDEN = {
+        "org.evoloop.converter.attachment",
+        "org.evoloop.converter.binding",
+        "org.evoloop.converter.recording",
+        "org.evoloop.converter.running",
+        "org.evoloop.converter.changing",
+        "org.evoloop.function.visit",
+        "org.evoloop.flight"
+    };
+
+    @ArchTest
+    static final ArchRule usersCanNameWhatTheyCallAndGetBack =
+            classes().that().arePublic().and().resideOutsideOfPackages(HIDDEN).should(offerNothingHidden());
+
+    private static ArchCondition<JavaClass> offerNothingHidden() {
+        return new ArchCondition<>("offer nothing whose types are hidden") {
+            @Override
+            public void check(JavaClass item, ConditionEvents events) {
+                for (JavaCodeUnit each : item.getCodeUnits()) {
+                    boolean offered = each.getModifiers().contains(JavaModifier.PUBLIC)
+                            || each.getModifiers().contains(JavaModifier.PROTECTED);
+                    boolean hidden = Stream.concat(
+                                    each.getRawParameterTypes().stream(), Stream.of(each.getRawReturnType()))
+                            .anyMatch(resideInAnyPackage(HIDDEN));
+                    events.add(new SimpleConditionEvent(
+                            each, !offered || !hidden, each.getFullName() + " has a hidden type"));
+                }
+            }
+        };
+    }
+
+    /** Whoever reads a file of these rooms need not have read another one that needs this one. */
+    @ArchTest
+    static final ArchRule noFilesLeadInACircle = SlicesRuleDefinition.slices()
+            .assignedFrom(new FilesOfTheLoopAndTheConverter())
+            .should()
+            .beFreeOfCycles();
+
+    private static final class FilesOfTheLoopAndTheConverter implements SliceAssignment {
+        @Override
+        public SliceIdentifier getIdentifierOf(JavaClass item) {
+            if (!resideInAnyPackage("org.evoloop.loop", CONVERTER).test(item)) {
+                return SliceIdentifier.ignore();
+            }
+            JavaClass file = item;
+            while (file.getEnclosingClass().isPresent()) {
+                file = file.getEnclosingClass().get();
+            }
+            // A sealed class and those that it permits name each other.
+            boolean sealed = file.getPackageName().equals("org.evoloop.loop") && file.isAssignableTo(Component.class);
+            return SliceIdentifier.of(sealed ? Component.class.getName() : file.getName());
+        }
+
+        @Override
+        public String getDescription() {
+            return "files of the loop and the converter";
+        }
+    }
 
     @ArchTest
     static final ArchRule threadsBeginInTheirRooms = noClasses()

@@ -11,7 +11,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import org.evoloop.config.Options;
 import org.evoloop.console.TerminationSignals;
-import org.evoloop.converter.EdgeShell;
+import org.evoloop.converter.edge.EdgeShell;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.mqtt.BrokerAddress;
 import org.evoloop.mqtt.MqttOptions;

@@ -134,7 +134,11 @@ final class MoveTrip implements AutoCloseable {
         return Math.abs(state.leftMmPerS() + state.rightMmPerS()) / 2;
     }
 
-    /** Waits until Move has been left. @return whether that was in time */
+    /**
+     * Waits until Move has been left.
+     *
+     * @return whether that was in time
+     */
     boolean ends(Duration limit) {
         for (long left = limit.toNanos(); left > 0 && isMoving(); left -= TICK.toNanos()) {
             advance(TICK);

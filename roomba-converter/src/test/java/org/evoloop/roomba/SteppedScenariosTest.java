@@ -8,7 +8,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import org.evoloop.converter.HistoryEntry;
-import org.evoloop.engine.Outcome;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.OiMode;
 import org.evoloop.roomba.simulator.robot.RobotActivity;

@@ -2,10 +2,10 @@ package org.evoloop.fleet.wire;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.evoloop.engine.Outcome;
 import org.evoloop.engine.Output;
 import org.evoloop.engine.Snapshot;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.fleet.device.DeviceListener;
 import org.evoloop.fleet.device.DeviceState;
 import org.evoloop.fleet.device.Order;

@@ -150,7 +150,11 @@ public final class Console {
         return Optional.ofNullable(offeredModels);
     }
 
-    /** Adds a command, before {@link #run}. @throws IllegalArgumentException if there is one of that name */
+    /**
+     * Adds a command, before {@link #run}.
+     *
+     * @throws IllegalArgumentException if there is one of that name
+     */
     public void addCommand(ConsoleCommand command) {
         commands.add(new ConsoleCommand(
                 command.usage(),

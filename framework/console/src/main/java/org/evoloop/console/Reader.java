@@ -8,6 +8,10 @@ interface Reader {
     /** Whether this is the program's terminal, which wraps lines to its own width. */
     boolean isAtTerminal();
 
-    /** As {@link ConsoleIo#watch}. @throws IllegalStateException if the reader has no terminal of this program */
+    /**
+     * As {@link ConsoleIo#watch}.
+     *
+     * @throws IllegalStateException if the reader has no terminal of this program
+     */
     void watch(Supplier<String> text, Duration period) throws InterruptedException;
 }

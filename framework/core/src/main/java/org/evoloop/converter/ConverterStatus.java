@@ -87,7 +87,7 @@ public record ConverterStatus(
     /**
      * The number of events at one moment. Those observed are the sum of all others.
      *
-     * @param handled by outcome, as the next four, see {@link org.evoloop.engine.Outcome}
+     * @param handled by outcome, as the next four, see {@link org.evoloop.evolution.Outcome}
      * @param refused those that came, or waited, while the loop was closed
      * @param waiting those that wait for their turn
      * @param inProgress those that have it: one or none

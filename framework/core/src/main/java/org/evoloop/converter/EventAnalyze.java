@@ -1,5 +1,10 @@
 package org.evoloop.converter;
 
+import static java.util.Objects.requireNonNull;
+
+import java.util.function.Predicate;
+import org.evoloop.converter.attachment.DecisionHost;
+import org.evoloop.converter.attachment.Friends;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
@@ -19,6 +24,8 @@ import org.jspecify.annotations.Nullable;
  * }
  * }</pre>
  *
+ * <p>For one rule, {@link #refuseWhen} does the same without a class.
+ *
  * <p>A refined decision takes transitions that the models draw, and its steps and its transition lead to the states that
  * it names; with any other, the event fails.
  *
@@ -28,7 +35,11 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public class EventAnalyze extends Analyze<Occurrence, Analysis> {
-    private volatile @Nullable CoreDriver driver;
+    static {
+        Friends.ANALYZE.give(analyze -> ((EventAnalyze) analyze)::attach);
+    }
+
+    private volatile @Nullable DecisionHost host;
 
     /** A component named after its class. */
     public EventAnalyze() {}
@@ -38,8 +49,24 @@ public class EventAnalyze extends Analyze<Occurrence, Analysis> {
         super(name);
     }
 
-    final void attach(CoreDriver joined) {
-        driver = joined;
+    /**
+     * A component that refuses what {@code when} is true for, such as all buttons at night.
+     *
+     * @param reason for people; the history shows it
+     */
+    public static EventAnalyze refuseWhen(Predicate<Occurrence> when, String reason) {
+        requireNonNull(when, "when something is refused is null");
+        requireNonNull(reason, "the reason why something is refused is null");
+        return new EventAnalyze() {
+            @Override
+            protected @Nullable Analysis analyze(Occurrence occurrence) {
+                return when.test(occurrence) ? refuse(occurrence, reason) : super.analyze(occurrence);
+            }
+        };
+    }
+
+    private void attach(DecisionHost joined) {
+        host = joined;
     }
 
     /**
@@ -53,14 +80,18 @@ public class EventAnalyze extends Analyze<Occurrence, Analysis> {
     }
 
     private @Nullable Analysis decided(Occurrence occurrence) {
-        CoreDriver attached = driver;
+        DecisionHost attached = host;
         Decision decision = attached == null ? null : attached.decide(occurrence);
         return decision == null ? null : new Analysis(occurrence, decision);
     }
 
-    /** The states of device and evolved system. @throws IllegalStateException if this is not part of a converter */
+    /**
+     * The states of device and evolved system.
+     *
+     * @throws IllegalStateException if this is not part of a converter
+     */
     protected final Configuration configuration() {
-        CoreDriver attached = driver;
+        DecisionHost attached = host;
         if (attached == null) {
             throw new IllegalStateException(name() + " is not part of a converter");
         }
@@ -80,7 +111,7 @@ public class EventAnalyze extends Analyze<Occurrence, Analysis> {
     /** The usual analysis of what keeps the record right; null for any other occurrence. */
     @Override
     protected final @Nullable Analysis unlessDismissed(Occurrence occurrence) {
-        CoreDriver attached = driver;
+        DecisionHost attached = host;
         return attached != null && attached.keepsRecord(occurrence) ? decided(occurrence) : null;
     }
 }

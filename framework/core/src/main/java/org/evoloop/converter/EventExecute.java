@@ -6,7 +6,13 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
+import java.util.function.Function;
+import org.evoloop.converter.attachment.EventsByName;
+import org.evoloop.converter.attachment.ExecuteAccess;
+import org.evoloop.converter.attachment.Friends;
+import org.evoloop.converter.attachment.UserCode;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;
@@ -25,16 +31,14 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public abstract class EventExecute extends Execute<ChangePlan> {
-    /**
-     * The turn in which a step is being sent whose effect has not been reported yet; 0 if there is none. Guarded by the
-     * driver.
-     */
-    long sending;
+    static {
+        Friends.EXECUTE.give(execute -> ((EventExecute) execute).access);
+    }
 
+    private final ExecuteAccess access = new Access();
     private volatile @Nullable Set<Event> events;
     private volatile Values values = Values.NONE;
-    private volatile @Nullable EffectListener listener;
-    private volatile @Nullable Carrier carrier;
+    private volatile ExecuteAccess.@Nullable Host host;
 
     /** A component named after its class. */
     protected EventExecute() {}
@@ -42,6 +46,39 @@ public abstract class EventExecute extends Execute<ChangePlan> {
     /** @param name its name in the console, unique within a converter */
     protected EventExecute(String name) {
         super(name);
+    }
+
+    /** How a component made by {@link #of} sends. */
+    @FunctionalInterface
+    public interface Sending {
+        /**
+         * Sends the event of {@code step}, see {@link EventExecute#send}.
+         *
+         * @throws Exception any failure: the event had no effect
+         */
+        void send(Step step) throws Exception;
+    }
+
+    /**
+     * A component that only sends.
+     *
+     * @param name its name in the console, unique within a converter
+     * @param events that it can send, see {@link #sendableEvents}
+     */
+    public static EventExecute of(String name, Set<String> events, Sending sending) {
+        Set<String> sendable = Set.copyOf(events);
+        requireNonNull(sending, "how " + name + " sends is null");
+        return new EventExecute(name) {
+            @Override
+            protected Set<String> sendableEvents() {
+                return sendable;
+            }
+
+            @Override
+            protected void send(Step step) throws Exception {
+                sending.send(step);
+            }
+        };
     }
 
     /**
@@ -82,9 +119,9 @@ public abstract class EventExecute extends Execute<ChangePlan> {
     }
 
     private void report(boolean inOrder) {
-        EffectListener receiver = listener;
-        if (receiver != null) {
-            receiver.tookEffect(this, inOrder);
+        ExecuteAccess.Host attached = host;
+        if (attached != null) {
+            attached.tookEffect(access, inOrder);
         }
     }
 
@@ -128,59 +165,84 @@ public abstract class EventExecute extends Execute<ChangePlan> {
      */
     protected void released() throws Exception {}
 
-    final void attach(EffectListener joined, @Nullable Carrier carriedBy) {
-        listener = joined;
-        carrier = carriedBy;
-    }
-
     @Override
     protected final void execute(ChangePlan plan) throws Exception {
-        Carrier attached = carrier;
+        ExecuteAccess.Host attached = host;
         if (attached != null) {
-            attached.carryOut(plan, this);
+            attached.carryOut(plan.occurrence(), plan.decision(), access);
         }
     }
 
-    /** Sets the values of the event that is being converted. */
-    final void carry(Values carried) {
-        values = carried;
-    }
+    private final class Access extends ExecuteAccess {
+        @Override
+        public String name() {
+            return EventExecute.this.name();
+        }
 
-    /** {@link #send} has returned: the step counts as having had its effect, if that was not reported before. */
-    final void sendReturned() {
-        report(false);
-    }
+        @Override
+        public void attach(ExecuteAccess.Host joined) {
+            host = joined;
+        }
 
-    /**
-     * As {@link #locate()}, with the state of that name.
-     *
-     * @param isLast whether no other component can be asked, so that a failure is thrown
-     * @param reports is told of any other failure
-     */
-    final Optional<State> locate(StateKnowledge knowledge, boolean isLast, Consumer<Throwable> reports)
-            throws Exception {
-        try {
-            return requireNonNull(locate(), "locate() is null; return Optional.empty() if the device does not know it")
-                    .map(knowledge::located);
-        } catch (InterruptedException stop) {
-            throw stop;
-        } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {
-            if (isLast) {
-                throw cause;
+        /** Called only once by the component: every converted event needs them more than once. */
+        @Override
+        public Set<Event> events() {
+            Set<Event> known = events;
+            if (known == null) {
+                known = Collections.unmodifiableSet(
+                        new HashSet<>(EventsByName.of(name() + ".sendableEvents()", sendableEvents())));
+                events = known;
             }
-            reports.accept(cause);
-            return Optional.empty();
+            return known;
         }
-    }
 
-    /** {@link #sendableEvents}, called only once: every converted event needs them more than once. */
-    final Set<Event> events() {
-        Set<Event> known = events;
-        if (known == null) {
-            known = Collections.unmodifiableSet(
-                    new HashSet<>(Assembly.named(name() + ".sendableEvents()", sendableEvents())));
-            events = known;
+        @Override
+        public void carry(Values carried) {
+            values = carried;
         }
-        return known;
+
+        @Override
+        public void awaitReady(Step step) throws Exception {
+            EventExecute.this.awaitReady(step);
+        }
+
+        @Override
+        public void send(Step step) throws Exception {
+            EventExecute.this.send(step);
+        }
+
+        @Override
+        public void sendReturned() {
+            report(false);
+        }
+
+        @Override
+        public Optional<State> locate(Function<String, State> states, boolean isLast, Consumer<Throwable> reports)
+                throws Exception {
+            AtomicReference<Optional<State>> found = new AtomicReference<>(Optional.empty());
+            UserCode.Call asking = () -> found.set(requireNonNull(
+                            EventExecute.this.locate(),
+                            "locate() is null; return Optional.empty() if the device does not know it")
+                    .map(states));
+            if (isLast) {
+                asking.run();
+            } else {
+                Throwable cause = UserCode.call(asking);
+                if (cause != null) {
+                    reports.accept(cause);
+                }
+            }
+            return requireNonNull(found.get());
+        }
+
+        @Override
+        public void settled(Configuration now) throws Exception {
+            EventExecute.this.settled(now);
+        }
+
+        @Override
+        public void released() throws Exception {
+            EventExecute.this.released();
+        }
     }
 }

@@ -7,6 +7,10 @@ import java.util.HashSet;
 import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.Predicate;
+import org.evoloop.converter.attachment.Endings;
+import org.evoloop.converter.attachment.EventsByName;
+import org.evoloop.converter.attachment.Friends;
+import org.evoloop.converter.attachment.MonitorAccess;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.EventNames;
 import org.evoloop.evolution.Occurrence;
@@ -34,11 +38,16 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     /** Of an event made before this monitor was part of a converter, which has the code of the guards. */
     private static final Set<String> NOT_EVALUATED = Collections.unmodifiableSet(new HashSet<>());
 
+    static {
+        Friends.MONITOR.give(monitor -> ((EventMonitor) monitor).new Access());
+    }
+
     private volatile @Nullable EventNames eventNames;
     private volatile @Nullable LoopConfig config;
     private volatile @Nullable MapeLoop<Occurrence, ?, ?> loop;
     private volatile BiFunction<Event, Values, Set<String>> guards = (event, values) -> NOT_EVALUATED;
     private volatile Predicate<Event> devicesOwn = event -> false;
+    private volatile @Nullable Endings endings;
 
     /** A monitor named after its class. */
     protected EventMonitor() {}
@@ -48,27 +57,38 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         super(name);
     }
 
-    /**
-     * @param holding the guards that the original model draws for an event and that hold now, by its values
-     * @param own whether only the device can raise an event
-     */
-    final void attach(
-            LoopConfig loopConfig,
-            MapeLoop<Occurrence, ?, ?> joined,
-            EventNames names,
-            BiFunction<Event, Values, Set<String>> holding,
-            Predicate<Event> own) {
-        devicesOwn = own;
-        eventNames = names;
-        config = loopConfig;
-        loop = joined;
-        guards = holding;
-        attached(names, loopConfig.clock());
-    }
+    private final class Access implements MonitorAccess {
+        @Override
+        public void attach(
+                LoopConfig loopConfig,
+                MapeLoop<Occurrence, ?, ?> joined,
+                EventNames names,
+                BiFunction<Event, Values, Set<String>> holding,
+                Predicate<Event> own,
+                Endings ends) {
+            devicesOwn = own;
+            endings = ends;
+            eventNames = names;
+            config = loopConfig;
+            loop = joined;
+            guards = holding;
+            attached(names, loopConfig.clock());
+        }
 
-    /** Sets the names by which it reports events. */
-    final void useNames(EventNames names) {
-        eventNames = names;
+        @Override
+        public void useNames(EventNames names) {
+            eventNames = names;
+        }
+
+        @Override
+        public void requireKnown(EventNames names) {
+            EventMonitor.this.requireKnown(names);
+        }
+
+        @Override
+        public Set<Event> spontaneousEvents() {
+            return EventsByName.of(name() + ".spontaneousEvents()", EventMonitor.this.spontaneousEvents());
+        }
     }
 
     /** @throws IllegalArgumentException if it reports an event that is not among {@code names} */
@@ -137,6 +157,15 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         }
     }
 
+    /** Has {@code submission} told how {@code pressed}, which is not reported yet, ends. */
+    final void await(Occurrence pressed, Submission submission) {
+        Endings told = endings;
+        if (told == null) {
+            throw notPart(pressed);
+        }
+        told.await(pressed, submission::ended);
+    }
+
     /** Says that {@code pressed} is lost because there is no converter. */
     final IllegalStateException notPart(Occurrence pressed) {
         return new IllegalStateException(
@@ -151,12 +180,8 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         return joined == null || isDueLater ? null : joined.admit(pressed);
     }
 
-    /**
-     * Says that {@code pressed} is lost if the loop has not taken it.
-     *
-     * @throws IllegalStateException that says why
-     */
-    final void requireTaken(Occurrence pressed, Admission admission) {
+    /** Why the loop has not taken {@code pressed}; empty if it has. */
+    final String whyNotTaken(Occurrence pressed, Admission admission) {
         String event = pressed.label();
         String why = switch (admission) {
             case TAKEN -> "";
@@ -168,9 +193,7 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
                         ? " is closed, so " + event + " is refused"
                         : " is stopped, so " + event + " is refused; start it first";
         };
-        if (!why.isEmpty()) {
-            throw new IllegalStateException(converter() + why);
-        }
+        return why.isEmpty() ? "" : converter() + why;
     }
 
     private String converter() {

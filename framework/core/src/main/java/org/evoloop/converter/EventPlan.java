@@ -1,5 +1,7 @@
 package org.evoloop.converter;
 
+import org.evoloop.converter.attachment.DecisionHost;
+import org.evoloop.converter.attachment.Friends;
 import org.evoloop.loop.Plan;
 import org.jspecify.annotations.Nullable;
 
@@ -10,7 +12,11 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public class EventPlan extends Plan<Analysis, ChangePlan> {
-    private volatile @Nullable CoreDriver driver;
+    static {
+        Friends.PLAN.give(plan -> ((EventPlan) plan)::attach);
+    }
+
+    private volatile @Nullable DecisionHost host;
 
     /** A component named after its class. */
     public EventPlan() {}
@@ -20,8 +26,8 @@ public class EventPlan extends Plan<Analysis, ChangePlan> {
         super(name);
     }
 
-    final void attach(CoreDriver joined) {
-        driver = joined;
+    private void attach(DecisionHost joined) {
+        host = joined;
     }
 
     /**
@@ -40,7 +46,7 @@ public class EventPlan extends Plan<Analysis, ChangePlan> {
     /** The usual plan for what keeps the record right; null for any other occurrence. */
     @Override
     protected final @Nullable ChangePlan unlessDismissed(Analysis analysis) {
-        CoreDriver attached = driver;
+        DecisionHost attached = host;
         return attached != null && attached.keepsRecord(analysis.occurrence()) ? planned(analysis) : null;
     }
 }

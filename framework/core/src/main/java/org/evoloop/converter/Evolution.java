@@ -4,11 +4,9 @@ import static java.util.Objects.requireNonNull;
 
 import java.time.Duration;
 import java.util.List;
-import org.evoloop.engine.Output;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
 import org.evoloop.migration.Carried;
-import org.evoloop.migration.Fate;
 import org.evoloop.migration.Mapping;
 
 /**
@@ -49,12 +47,6 @@ public final class Evolution {
         public Result {
             steps = List.copyOf(steps);
             carried = List.copyOf(carried);
-        }
-
-        static Result of(Output.Evolved evolved, Duration pause) {
-            Fate.Maps fate = evolved.fate();
-            return new Result(
-                    evolved.occurrence().model(), evolved.before(), fate.to(), fate.steps(), fate.carried(), pause);
         }
     }
 
@@ -110,19 +102,23 @@ public final class Evolution {
         return new Evolution(next, mapping, deadline, idle, probation, false);
     }
 
-    StateKnowledge next() {
+    /** The knowledge to which it leads, with its models. */
+    public StateKnowledge next() {
         return next;
     }
 
-    Mapping mapping() {
+    /** How states, timers and functions are mapped that are not mapped by name. */
+    public Mapping mapping() {
         return mapping;
     }
 
-    Duration deadline() {
+    /** Within which time it must become possible. */
+    public Duration deadline() {
         return deadline;
     }
 
-    Duration idle() {
+    /** How long nothing must have happened before; 0 if that does not matter. */
+    public Duration idle() {
         return idle;
     }
 
@@ -131,7 +127,8 @@ public final class Evolution {
         return probation;
     }
 
-    boolean needsWayBack() {
+    /** Whether every state of the next models needs a way back to the present ones. */
+    public boolean needsWayBack() {
         return wayBack;
     }
 }

@@ -2,10 +2,10 @@ package org.evoloop.converter;
 
 import java.time.Duration;
 import java.time.Instant;
-import org.evoloop.engine.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Outcome;
 import org.jspecify.annotations.Nullable;
 
 /**

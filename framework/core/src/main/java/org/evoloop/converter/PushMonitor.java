@@ -2,9 +2,11 @@ package org.evoloop.converter;
 
 import java.util.Objects;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
+import org.evoloop.evolution.EventOutcome;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Values;
 import org.evoloop.loop.Intake.Admission;
@@ -46,7 +48,7 @@ public class PushMonitor extends EventMonitor {
      * A control of the controller was operated.
      *
      * @throws IllegalArgumentException if neither model knows the event, and then the message lists the most similar
-     *     names, or if only the device can raise it
+     *     names, if it has no name, or if only the device can raise it
      * @throws IllegalStateException if, and only if, the event is lost: the converter is not running, has no room for it
      *     in its queue or cannot write its journal, or this monitor is not part of one
      */
@@ -56,15 +58,64 @@ public class PushMonitor extends EventMonitor {
 
     /** As {@link #press(String)}, for an event with {@code values}. */
     public final void press(String event, Values values) {
+        Occurrence pressed = pressed(event, values);
+        Admission admission = reported(pressed);
+        String why = admission == null ? "" : whyNotTaken(pressed, admission);
+        if (!why.isEmpty()) {
+            throw new IllegalStateException(why);
+        }
+    }
+
+    /** As {@link #submit(String, Values)}, for an event without values. */
+    public final CompletableFuture<EventOutcome> submit(String event) {
+        return submit(event, Values.NONE);
+    }
+
+    /**
+     * As {@link #press(String, Values)}, for somebody who wants to know the outcome.
+     *
+     * @return completes when the record has moved, or it is certain that the event has no effect, also when the converter
+     *     is closed; on a thread of the JDK's common pool or, in a converter without threads, by the step that ends the
+     *     event
+     * @throws IllegalArgumentException if neither model knows the event, if it has no name, or if only the device can
+     *     raise it
+     * @throws IllegalStateException if this monitor is not part of a converter that was built
+     * @throws UnsupportedOperationException if the events of this monitor are decided elsewhere, as in a fleet
+     */
+    public final CompletableFuture<EventOutcome> submit(String event, Values values) {
+        Occurrence pressed = pressed(event, values);
+        Submission submission = new Submission();
+        await(pressed, submission);
+        Admission admission = reported(pressed);
+        if (admission == null || admission == Admission.TAKEN) {
+            submission.taken();
+        } else {
+            String why = whyNotTaken(pressed, admission);
+            boolean full = admission == Admission.DROPPED || admission == Admission.FIRST_DROPPED;
+            submission.notTaken(full ? new EventOutcome.Dropped(why) : new EventOutcome.Refused(why));
+        }
+        return submission.outcome;
+    }
+
+    /** Refuses an event that can never be taken. */
+    private Occurrence pressed(String event, Values values) {
+        if (Objects.requireNonNull(event, "the name of an event is null").isBlank()) {
+            throw new IllegalArgumentException(
+                    "the event that is pressed has no name; press one of the models' events");
+        }
         Occurrence pressed = fromController(event, values);
         requirePressable(pressed);
+        return pressed;
+    }
+
+    /** Null if it will be reported later. */
+    private @Nullable Admission reported(Occurrence pressed) {
         Admission atOnce = answerAtOnce(pressed);
         Admission admission = atOnce == null ? pass(pressed) : atOnce;
-        if (admission != null) {
-            requireTaken(pressed, admission);
-        } else if (hasLeft()) {
+        if (admission == null && hasLeft()) {
             throw notPart(pressed);
         }
+        return admission;
     }
 
     /**

@@ -14,30 +14,16 @@ package org.evoloop.converter;
  *
  * @since 0.1
  */
-public final class Shadow implements AutoCloseable {
-    private final Evolver evolver;
-    private final ConverterShell shell;
-    private final Evolution evolution;
-
-    Shadow(Evolver evolver, ConverterShell shell, Evolution evolution) {
-        this.evolver = evolver;
-        this.shell = shell;
-        this.evolution = evolution;
-    }
-
+public interface Shadow extends AutoCloseable {
     /** The evolution that {@link #promote} carries out. */
-    public Evolution evolution() {
-        return evolution;
-    }
+    Evolution evolution();
 
-    /** The report so far. @throws IllegalStateException if it has ended */
-    public ShadowReport report() {
-        ShadowReport report = evolver.shadow() == this ? shell.driver.shadowReport() : null;
-        if (report == null) {
-            throw new IllegalStateException("the shadow has ended");
-        }
-        return report;
-    }
+    /**
+     * The report so far.
+     *
+     * @throws IllegalStateException if it has ended
+     */
+    ShadowReport report();
 
     /**
      * Lets the other models take over, as {@link SystemEventConverter#evolve} does: from the system's present states,
@@ -46,13 +32,9 @@ public final class Shadow implements AutoCloseable {
      * @throws IllegalStateException if it has ended
      * @throws EvolutionException if it was not possible in time; the shadow stays
      */
-    public Evolution.Result promote() {
-        return evolver.promote(this, shell);
-    }
+    Evolution.Result promote();
 
     /** Ends the shadow. Idempotent. */
     @Override
-    public void close() {
-        evolver.end(this, shell);
-    }
+    void close();
 }

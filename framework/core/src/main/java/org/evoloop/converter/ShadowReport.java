@@ -15,9 +15,9 @@ import org.evoloop.rehearsal.Difference;
  * @param at the states in which device and evolved system would be
  * @param events how many events were compared
  * @param different how many events the other models would have decided differently
- * @param differences the last {@value ShadowCore#MOST_KEPT} of them, oldest first
+ * @param differences the last {@value #MOST_KEPT} of them, oldest first
  * @param faults the violations that the {@linkplain Probation.Watches watches} of the evolution would have found,
- *     oldest first, at most {@value ShadowCore#MOST_KEPT}
+ *     oldest first, at most {@value #MOST_KEPT}
  * @since 0.1
  */
 public record ShadowReport(
@@ -28,6 +28,9 @@ public record ShadowReport(
         long different,
         List<Difference> differences,
         List<Fault> faults) {
+
+    /** How many differences, and how many faults, are remembered. */
+    public static final int MOST_KEPT = 1_000;
 
     /**
      * A violation that the other models would have caused.

@@ -15,6 +15,9 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
+import org.evoloop.converter.attachment.Friends;
+import org.evoloop.converter.attachment.KnowledgeAccess;
+import org.evoloop.converter.binding.Bindings;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.EventNames;
@@ -26,6 +29,7 @@ import org.evoloop.loop.Knowledge;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
@@ -39,6 +43,13 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public class StateKnowledge extends Knowledge {
+    static {
+        Friends.KNOWLEDGE.give(knowledge -> ((StateKnowledge) knowledge).access);
+    }
+
+    private final KnowledgeAccess access = new Access();
+    private final StateMachine drawn;
+
     /** With the device states and sends that {@link #registerNewFunctions} adds. */
     private ModelPair pair;
 
@@ -65,8 +76,61 @@ public class StateKnowledge extends Knowledge {
     public StateKnowledge(ModelPair pair) {
         requireNonNull(pair, "the models are null").requireValid();
         this.pair = pair;
+        this.drawn = pair.evolved();
         this.bindings = new Bindings(pair);
         this.eventNames = EventNames.of(pair);
+    }
+
+    private final class Access implements KnowledgeAccess {
+        @Override
+        public void register() {
+            if (!registered) {
+                registerNewFunctions();
+                pair.requireValid();
+                registered = true;
+            }
+        }
+
+        @Override
+        public List<String> problems(boolean leftOver) {
+            return StateKnowledge.this.problems(leftOver);
+        }
+
+        @Override
+        public Bindings bindings() {
+            return bindings;
+        }
+
+        @Override
+        public EventNames eventNames() {
+            return eventNames;
+        }
+
+        @Override
+        public Map<Event, Duration> timersOf(State state) {
+            return StateKnowledge.this.timersOf(state);
+        }
+
+        @Override
+        public NewFunction action(Transition transition) {
+            return StateKnowledge.this.action(transition);
+        }
+
+        @Override
+        public State located(String name) {
+            State state = new State(name);
+            if (!pair.original().hasState(state)) {
+                throw new IllegalStateException("the device says that it is in " + Names.shown(name)
+                        + ", which is not a state of its model"
+                        + Names.hint(name, pair.original().states()));
+            }
+            return state;
+        }
+
+        @Override
+        public void attach(@Nullable Supplier<Configuration> kept) {
+            place = kept;
+        }
     }
 
     /** A transition as its author names it: its event with or without guards. */
@@ -80,15 +144,6 @@ public class StateKnowledge extends Knowledge {
 
     /** Registers the functions and timers of new states; called once, when the converter is built. */
     protected void registerNewFunctions() {}
-
-    /** Calls {@link #registerNewFunctions} once, even if building the converter is tried again. */
-    final void register() {
-        if (!registered) {
-            registerNewFunctions();
-            pair.requireValid();
-            registered = true;
-        }
-    }
 
     /**
      * Runs {@code function} whenever the new state {@code state} is entered, whatever history the new model then
@@ -132,13 +187,22 @@ public class StateKnowledge extends Knowledge {
     }
 
     /**
-     * Says that the function of the new state {@code state} may send {@code event} to the device, as the model can, too.
-     * What neither says is refused when the function asks for it. Checks of the model need to be told what only the
-     * code says.
+     * Says that the function of the new state {@code state} may send {@code event} to the device, as the model can, too:
+     * a model that says what the function sends has to say all of it. What neither says is refused when the function
+     * asks for it. Checks of the model need to be told what only the code says.
      */
     protected final void sends(String state, String event) {
+        Event sent = new Event(event);
         for (State each : used(state)) {
-            pair = new ModelPair(pair.original(), pair.evolved().withSends(each, new Event(event)));
+            Set<Event> known = drawn.sends(each);
+            if (!known.isEmpty() && !known.contains(sent)) {
+                repeated.add("the function of " + each + " sends " + event + ", but the new model draws that it sends "
+                        + String.join(
+                                ", ", known.stream().map(Event::name).sorted().toList())
+                        + " only; draw " + event + ", too, or remove it from the code");
+            } else {
+                pair = new ModelPair(pair.original(), pair.evolved().withSends(each, sent));
+            }
         }
     }
 
@@ -215,7 +279,7 @@ public class StateKnowledge extends Knowledge {
     /** As {@link #effect(String, Effect)}, for an effect that uses the event's values. */
     protected final void effect(String text, Effect.OfEvent action) {
         requireNonNull(action, "the effect " + text + " is null");
-        noteIfRepeated("an effect", text, bindings.effect(text, action));
+        noteIfRepeated("an effect", text, bindings.effect(text, action::run));
     }
 
     /**
@@ -271,8 +335,7 @@ public class StateKnowledge extends Knowledge {
                 : Optional.of(new BoundTransition(source, event, transition.target(), action(transition)));
     }
 
-    /** The function that runs when {@code transition} of the new model is taken. */
-    final NewFunction action(Transition transition) {
+    private NewFunction action(Transition transition) {
         NewFunction action = ownAction(transition);
         return action != null ? action : functions.getOrDefault(transition.target(), NewFunction.none());
     }
@@ -286,8 +349,7 @@ public class StateKnowledge extends Knowledge {
         return action != null ? action : actions.get(new Ends(transition.source(), event.name(), transition.target()));
     }
 
-    /** The timer events of {@code state} and their delays. */
-    final Map<Event, Duration> timersOf(State state) {
+    private Map<Event, Duration> timersOf(State state) {
         Map<Event, Duration> known = allTimers.get(state);
         if (known == null) {
             known = collectTimers(state);
@@ -300,21 +362,6 @@ public class StateKnowledge extends Knowledge {
         Map<Event, Duration> all = new LinkedHashMap<>(timers.getOrDefault(state, Map.of()));
         all.putAll(pair.evolved().timers(state));
         return all;
-    }
-
-    /**
-     * The state of this name in which the device says that it is.
-     *
-     * @throws IllegalStateException if its model does not have it; the message lists the most similar names
-     */
-    final State located(String name) {
-        State state = new State(name);
-        if (!pair.original().hasState(state)) {
-            throw new IllegalStateException("the device says that it is in " + Names.shown(name)
-                    + ", which is not a state of its model"
-                    + Names.hint(name, pair.original().states()));
-        }
-        return state;
     }
 
     /** Both models. */
@@ -338,26 +385,7 @@ public class StateKnowledge extends Knowledge {
         return attached == null ? pair.initial() : attached.get();
     }
 
-    /** Sets where the states are kept from now on; null for nowhere. */
-    final void attach(@Nullable Supplier<Configuration> kept) {
-        place = kept;
-    }
-
-    final EventNames eventNames() {
-        return eventNames;
-    }
-
-    final Bindings bindings() {
-        return bindings;
-    }
-
-    /**
-     * Problems with the registrations, a line each.
-     *
-     * @param leftOver whether a registration for a name that the models do not have is a problem. It is not when they
-     *     take over from models for which the code still has registrations
-     */
-    final List<String> problems(boolean leftOver) {
+    private List<String> problems(boolean leftOver) {
         List<String> problems = new ArrayList<>(repeated);
         if (leftOver) {
             leftOver(problems);

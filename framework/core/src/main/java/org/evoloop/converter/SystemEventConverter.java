@@ -1,25 +1,21 @@
 package org.evoloop.converter;
 
-import static java.util.Objects.requireNonNull;
-
 import java.time.Duration;
-import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import java.util.ServiceLoader;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.function.Supplier;
-import org.evoloop.engine.Sentry;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Sentry;
 import org.evoloop.loop.Component;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.LoopState;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.time.Clock;
-import org.evoloop.time.Threads;
-import org.jspecify.annotations.Nullable;
 
 /**
  * An event converter: connects the components of a MAPE-K loop and controls them (paper, section V.A).
@@ -45,51 +41,36 @@ public final class SystemEventConverter implements AutoCloseable {
     /** The most events that {@link #history(int)} returns at once. */
     public static final int MOST_HISTORY = 100_000;
 
-    private final LoopConfig config;
-    private final Belongings belongings;
-    private final Spares spares = new Spares();
-    private final FailureLog failures;
-    private final Listeners listeners;
-    private final ChangeLock changes;
-    private final Stopping stopping;
-    private final Evolver evolver;
-    private final Crewing crewing;
-    private @Nullable StateKnowledge knowledge;
-    private volatile @Nullable Function<ModelPair, ? extends StateKnowledge> knowledgeFactory;
-    private volatile @Nullable DeviceLink link;
-    private @Nullable ConverterJournal journal;
-    private Sentry.@Nullable Posting posting;
-    private volatile @Nullable ConverterShell shell;
+    private static final ConverterDelegate.Maker DELEGATES = ServiceLoader.load(
+                    ConverterDelegate.Maker.class, SystemEventConverter.class.getClassLoader())
+            .findFirst()
+            .orElseThrow(() -> new IllegalStateException("the service " + ConverterDelegate.Maker.class.getName()
+                    + " is missing; whoever merges jar files keeps what is in META-INF/services"));
 
-    /** When the loop was last closed, or built. */
-    private volatile Instant closedAt = Instant.EPOCH;
+    private final ConverterDelegate delegate;
 
     /** @param config its options, checked by {@link #build} */
     public SystemEventConverter(LoopConfig config) {
-        this.config = requireNonNull(config, "the converter's config is null");
-        this.belongings = new Belongings(config.name());
-        this.failures = new FailureLog(config);
-        this.listeners = new Listeners(config, failures);
-        failures.tell(listeners::failed);
-        this.changes = new ChangeLock(config.name(), this::isComponent, this::ownsCurrentThread, listeners::deliver);
-        this.stopping = new Stopping(config.name());
-        this.crewing = new Crewing(belongings);
-        this.evolver = new Evolver(config, changes, belongings, crewing::present);
+        this.delegate = DELEGATES.make(config);
     }
 
-    /** Adds a monitor, also while the converter runs. @throws IllegalStateException if the name is taken */
+    /**
+     * Adds a monitor, also while the converter runs.
+     *
+     * @throws IllegalStateException if the name is taken
+     */
     public void addMonitor(EventMonitor monitor) {
-        add(monitor);
+        delegate.add(monitor);
     }
 
     /** Sets the analyze component, in place of the default; before {@link #build}. */
     public void addAnalyze(EventAnalyze analyze) {
-        add(analyze);
+        delegate.add(analyze);
     }
 
     /** Sets the plan component, in place of the default; before {@link #build}. */
     public void addPlan(EventPlan plan) {
-        add(plan);
+        delegate.add(plan);
     }
 
     /**
@@ -99,18 +80,16 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws ModelException if it sends an event that the device does not have
      */
     public void addExecute(EventExecute execute) {
-        add(execute);
+        delegate.add(execute);
     }
 
-    /** Sets the knowledge, before {@link #build}. @throws IllegalStateException if there is one already */
+    /**
+     * Sets the knowledge, before {@link #build}.
+     *
+     * @throws IllegalStateException if there is one already
+     */
     public void addKnowledge(StateKnowledge stateKnowledge) {
-        requireNonNull(stateKnowledge, "the knowledge is null");
-        changes.change(() -> {
-            if (knowledge != null) {
-                throw new IllegalStateException("there is knowledge already, " + knowledge.name());
-            }
-            knowledge = stateKnowledge;
-        });
+        delegate.addKnowledge(stateKnowledge);
     }
 
     /**
@@ -118,8 +97,7 @@ public final class SystemEventConverter implements AutoCloseable {
      * had evolved when the previous process ended, and those passed to {@link #knowledgeOf}.
      */
     public void addKnowledgeFactory(Function<ModelPair, ? extends StateKnowledge> factory) {
-        requireNonNull(factory, "the knowledge factory is null");
-        changes.change(() -> knowledgeFactory = factory);
+        delegate.addKnowledgeFactory(factory);
     }
 
     /**
@@ -129,17 +107,17 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws ModelException if the models are no evolution
      */
     public StateKnowledge knowledgeOf(ModelPair models) {
-        return Construction.knowledgeOf(requireNonNull(models, "the models are null"), knowledgeFactory);
+        return delegate.knowledgeOf(models);
     }
 
     /** Notifies {@code listener} of what this converter does from now on. */
     public void addListener(ConverterListener listener) {
-        listeners.add(requireNonNull(listener, "the listener is null"));
+        delegate.addListener(listener);
     }
 
     /** Stops notifying {@code listener}; a call in progress still completes. Does nothing if it was not added. */
     public void removeListener(ConverterListener listener) {
-        listeners.remove(listener);
+        delegate.removeListener(listener);
     }
 
     /**
@@ -151,14 +129,7 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws IllegalStateException if it has been built, or has a journal already
      */
     public void journal(ConverterJournal kept) {
-        requireNonNull(kept, "the journal is null");
-        changes.change(() -> {
-            if (shell != null || journal != null) {
-                throw new IllegalStateException("converter " + config.name()
-                        + (shell != null ? " has been built before" : " has a journal already"));
-            }
-            journal = kept;
-        });
+        delegate.journal(kept);
     }
 
     /**
@@ -168,34 +139,21 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws IllegalStateException if it has been built, or has a sentry already
      */
     public void watch(Sentry.Posting sentries) {
-        changes.change(() -> {
-            if (shell != null || posting != null) {
-                throw new IllegalStateException(
-                        "converter " + config.name() + " has been built, or is watched already");
-            }
-            posting = requireNonNull(sentries, "the sentries are null");
-        });
-    }
-
-    private void closeJournal() {
-        if (journal != null) {
-            journal.close();
-        }
+        delegate.watch(sentries);
     }
 
     /** Registers the connection to the device, for {@link #status}. */
     public void addLink(DeviceLink deviceLink) {
-        link = requireNonNull(deviceLink, "the link is null");
+        delegate.addLink(deviceLink);
     }
 
-    /** Registers a spare for {@link #exchange(String, String)}. @throws IllegalStateException if the name is taken */
+    /**
+     * Registers a spare for {@link #exchange(String, String)}.
+     *
+     * @throws IllegalStateException if the name is taken
+     */
     public void addSpare(String name, Supplier<? extends Component> spare) {
-        spares.add(name, spare);
-    }
-
-    private void add(Component component) {
-        requireNonNull(component, "the component is null");
-        changes.change(() -> crewing.add(shell, component));
+        delegate.addSpare(name, spare);
     }
 
     /**
@@ -208,48 +166,16 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws RuntimeException if the journal cannot be continued; the message says why and what to do
      */
     public void build() {
-        changes.change(this::buildInTurn);
+        delegate.build();
     }
 
-    private void buildInTurn() {
-        StateKnowledge known = knowledge;
-        if (shell != null) {
-            throw new IllegalStateException("converter " + config.name() + " has been built before");
-        }
-        if (changes.isClosing()) {
-            throw new IllegalStateException("converter " + config.name() + " has been closed");
-        }
-        Construction construction = new Construction(config, belongings, crewing.present());
-        StateKnowledge complete = construction.complete(known);
-        try {
-            StateKnowledge present = construction.present(complete, journal, knowledgeFactory);
-            evolver.resumed(complete, present);
-            shell = construction.build(
-                    present,
-                    present != complete,
-                    table -> new ConverterShell(
-                            config, present, table, failures, listeners, changes::isClosing, journal, posting));
-            closedAt = config.clock().wallTime();
-        } catch (RuntimeException refused) {
-            belongings.giveBackAll(null);
-            closeJournal();
-            throw refused;
-        }
-    }
-
-    /** Opens the loop; does nothing if it is open. @throws IllegalStateException if it is not built, or has ended */
+    /**
+     * Opens the loop; does nothing if it is open.
+     *
+     * @throws IllegalStateException if it is not built, or has ended
+     */
     public void start() {
-        ConverterShell built = built();
-        stopping.await(ownsCurrentThread());
-        changes.change(() -> {
-            if (built.loop.state() == LoopState.EXITED) {
-                // Its components may belong to another converter by now.
-                throw new IllegalStateException("the loop " + config.name() + " has ended");
-            }
-            if (built.loop.state() != LoopState.RUNNING) {
-                built.start();
-            }
-        });
+        delegate.start();
     }
 
     /**
@@ -261,42 +187,7 @@ public final class SystemEventConverter implements AutoCloseable {
      * @return whether all of that has finished
      */
     public boolean stop() {
-        ConverterShell built = built();
-        if (!built.holdsDevice()) {
-            return true;
-        }
-        built.loop.shut();
-        Runnable rest = () -> changes.change(() -> {
-            // In case it was just being opened.
-            built.loop.shut();
-            release(built);
-        });
-        if (!config.threads()) {
-            rest.run();
-            return true;
-        }
-        return stopping.begin(rest, ownsCurrentThread());
-    }
-
-    /** Called after the loop was closed. */
-    private void release(ConverterShell built) {
-        if (built.holdsDevice()) {
-            built.loop.awaitQuiet();
-            closedAt = config.clock().wallTime();
-            built.release();
-        }
-    }
-
-    /** Whether the caller is a component, a function or the clock. Code called by one of these must not wait for it. */
-    private boolean ownsCurrentThread() {
-        ConverterShell built = shell;
-        return listeners.ownsCurrentThread() || (built != null && built.ownsCurrentThread());
-    }
-
-    /** Whether the caller must not even wait for its turn to change the converter: every change waits for it. */
-    private boolean isComponent() {
-        ConverterShell built = shell;
-        return built != null && (built.loop.ownsCurrentThread() || built.hooks.ownsCurrentThread());
+        return delegate.stop();
     }
 
     /**
@@ -306,25 +197,7 @@ public final class SystemEventConverter implements AutoCloseable {
      */
     @Override
     public void close() {
-        if (config.threads() && ownsCurrentThread()) {
-            Threads.start("converter-" + config.name() + "-close", this::end);
-        } else {
-            end();
-        }
-    }
-
-    private void end() {
-        changes.close(() -> {
-            ConverterShell built = shell;
-            if (built != null) {
-                built.loop.close();
-                release(built);
-                belongings.giveBackAll(built.knowledge());
-            }
-            closeJournal();
-        });
-        listeners.close();
-        stopping.await(false);
+        delegate.close();
     }
 
     /**
@@ -335,8 +208,7 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws ModelException if a decision could then not be carried out
      */
     public void remove(String name) {
-        ConverterShell built = built();
-        changes.change(() -> crewing.remove(built, name));
+        delegate.remove(name);
     }
 
     /**
@@ -346,9 +218,7 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws ModelException if a decision could then not be carried out
      */
     public void exchange(String name, Component next) {
-        ConverterShell built = built();
-        requireNonNull(next, "what shall take the place of " + name + " is null");
-        changes.change(() -> crewing.exchange(built, name, next));
+        delegate.exchange(name, next);
     }
 
     /**
@@ -358,12 +228,12 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws IllegalArgumentException if there is no such component or spare, or their roles differ
      */
     public void exchange(String name, String spare) {
-        exchange(name, spares.make(spare));
+        delegate.exchange(name, spare);
     }
 
     /** The names of the spares, in the order in which they were added. */
     public Set<String> spares() {
-        return spares.names();
+        return delegate.spares();
     }
 
     /**
@@ -379,7 +249,7 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws IllegalStateException if the converter has ended, or {@code next} belongs to another converter
      */
     public Evolution.Result evolve(Evolution evolution) {
-        return evolver.evolve(built(), requireNonNull(evolution, "the evolution is null"));
+        return delegate.evolve(evolution);
     }
 
     /** As {@link #rollBack(Duration)}, within {@link Evolution#USUAL_DEADLINE}. */
@@ -395,7 +265,7 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws EvolutionException as in {@link #evolve}
      */
     public Evolution.Result rollBack(Duration deadline) {
-        return evolver.rollBack(built(), deadline, "as its owner asked for");
+        return delegate.rollBack(deadline);
     }
 
     /**
@@ -406,12 +276,12 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws EvolutionException if they cannot begin in the system's present states
      */
     public Shadow shadow(Evolution evolution) {
-        return evolver.shadow(built(), requireNonNull(evolution, "the evolution is null"));
+        return delegate.shadow(evolution);
     }
 
     /** The present shadow, if any. */
     public Optional<Shadow> shadow() {
-        return Optional.ofNullable(evolver.shadow());
+        return delegate.shadow();
     }
 
     /**
@@ -420,9 +290,7 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws IllegalArgumentException if its time is in the future of this converter's {@link #clock}
      */
     public boolean offer(Occurrence occurrence) {
-        boolean taken = built().loop.offer(occurrence);
-        listeners.deliver();
-        return taken;
+        return delegate.offer(occurrence);
     }
 
     /**
@@ -432,46 +300,54 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws IllegalArgumentException if {@code monitor} does not belong to this converter
      */
     public void observe(EventMonitor monitor) throws InterruptedException {
-        built().loop.observe(monitor);
-        listeners.deliver();
+        delegate.observe(monitor);
     }
 
     /** The step of a converter without threads: converts one event that waits; false if none does. */
     public boolean step() {
-        boolean stepped = built().loop.step();
-        listeners.deliver();
-        evolver.stepped();
-        return stepped;
+        return delegate.step();
     }
 
     /** Its clock. */
     public Clock clock() {
-        return config.clock();
+        return delegate.clock();
     }
 
-    /** The converter's present knowledge. @throws IllegalStateException if it is not built yet */
+    /**
+     * The converter's present knowledge.
+     *
+     * @throws IllegalStateException if it is not built yet
+     */
     public StateKnowledge knowledge() {
-        return built().knowledge();
+        return delegate.knowledge();
     }
 
-    /** What its execute components can send to the device. @throws IllegalStateException if it is not built yet */
+    /**
+     * What its execute components can send to the device.
+     *
+     * @throws IllegalStateException if it is not built yet
+     */
     public Set<Event> sendableEvents() {
-        return built().senders.sendable();
+        return delegate.sendableEvents();
     }
 
     /** What a controller may raise, sorted: no time trigger, nothing of the device, of timers or of functions alone. */
     public Set<Event> controllerEvents() {
-        return ControllerEvents.of(knowledge(), sendableEvents());
+        return delegate.controllerEvents();
     }
 
-    /** A snapshot of the status. @throws IllegalStateException if the converter is not built yet */
+    /**
+     * A snapshot of the status.
+     *
+     * @throws IllegalStateException if the converter is not built yet
+     */
     public ConverterStatus status() {
-        return built().status(evolver.describe(knowledge()), link, closedAt);
+        return delegate.status();
     }
 
     /** The last events and their outcomes, oldest first. */
     public List<HistoryEntry> history() {
-        return built().driver.history();
+        return delegate.history();
     }
 
     /**
@@ -482,17 +358,6 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws RuntimeException if the journal cannot be read; the message says why and what to do
      */
     public List<HistoryEntry> history(int count) {
-        if (count < 1 || count > MOST_HISTORY) {
-            throw new IllegalArgumentException("history shows 1 to " + MOST_HISTORY + " events, not " + count);
-        }
-        return built().driver.history(count);
-    }
-
-    private ConverterShell built() {
-        ConverterShell built = shell;
-        if (built == null) {
-            throw new IllegalStateException("converter " + config.name() + " is not built yet");
-        }
-        return built;
+        return delegate.history(count);
     }
 }

@@ -1,6 +1,5 @@
 package org.evoloop.engine;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
@@ -9,7 +8,7 @@ import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Occurrence;
-import org.evoloop.evolution.OnFailure;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
@@ -52,12 +51,9 @@ final class Conversion {
             again(pending, "what the device did by itself is heard first");
             return;
         }
-        Pending urgent = pending.hasHappened() ? null : ledger.makesWayFor();
-        if (urgent != null && pending.broken() == null) {
-            again(pending, urgent.occurrence().label() + " is urgent and goes first");
-            return;
-        } else if (urgent != null) {
-            conclude(number, Outcome.FAILED, afterBroken(pending, endedBy(urgent)));
+        String makesWay = pending.hasHappened() ? "" : ledger.makesWay();
+        if (!makesWay.isEmpty()) {
+            giveWay(pending, makesWay);
             return;
         }
         Decision decided = reported(pending, decision);
@@ -66,10 +62,13 @@ final class Conversion {
         decide(decided);
     }
 
-    /** A report of the device's state may complete what was interrupted, as its answer does. */
+    /**
+     * A report of the device's state may complete what was interrupted, as its answer does. The question that it has
+     * answered beforehand decides nothing.
+     */
     private Decision reported(Pending pending, Decision usual) {
         Doubt last = ledger.place.lastDoubt();
-        if (last == null || !last.isReported()) {
+        if (last == null || !last.isReported() || pending.occurrence() instanceof Occurrence.InDoubt) {
             return usual;
         }
         ledger.place.doubt(last.settled(true));
@@ -107,9 +106,9 @@ final class Conversion {
         if (step == null) {
             return;
         }
-        Pending urgent = ledger.makesWayFor();
-        if (urgent != null) {
-            conclude(number, Outcome.FAILED, afterBroken(progress.pending(), endedBy(urgent)));
+        String makesWay = ledger.makesWay();
+        if (!makesWay.isEmpty()) {
+            conclude(number, Outcome.FAILED, progress.pending().afterBroken(makesWay));
         } else if (!step.source().equals(ledger.place.at().original())) {
             again("the device left " + step.source() + " by itself");
         } else if (ledger.line.holdsDoubt()) {
@@ -117,11 +116,6 @@ final class Conversion {
         } else {
             progress.send();
         }
-    }
-
-    /** For people. */
-    private static String endedBy(Pending urgent) {
-        return "ended by " + urgent.occurrence().label() + ", which is urgent";
     }
 
     void sent(long number, boolean inOrder, long atNanos) {
@@ -270,6 +264,14 @@ final class Conversion {
         return decision instanceof Decision.Impossible || !failures.isEmpty() ? Outcome.FAILED : Outcome.HANDLED;
     }
 
+    private void giveWay(Pending pending, String to) {
+        if (pending.broken() == null) {
+            again(pending, to);
+        } else {
+            conclude(pending.number(), Outcome.FAILED, pending.afterBroken(to));
+        }
+    }
+
     /** The plan has been overtaken: the occurrence is decided again, before all others. */
     private void again(String why) {
         again(progress.pending().again(), why);
@@ -277,7 +279,7 @@ final class Conversion {
 
     private void again(Pending next, String why) {
         if (next.attempts() > MOST_ATTEMPTS || (!ledger.open && !next.hasHappened())) {
-            conclude(next.number(), Outcome.FAILED, afterBroken(next, "overtaken: " + why));
+            conclude(next.number(), Outcome.FAILED, next.afterBroken("overtaken: " + why));
         } else {
             retry(next, why);
         }
@@ -298,42 +300,15 @@ final class Conversion {
         Pending pending = progress.pending();
         Step step = stepOnItsWay(number);
         List<Occurrence> meanwhile = progress.meanwhile();
-        BrokenPlan broken = broken(pending, reason);
+        BrokenPlan broken = Recovery.from(ledger, reason);
         if (broken != null) {
             retry(pending.after(broken), reason);
         } else {
-            breakOff(number, afterBroken(pending, reason));
+            breakOff(number, pending.afterBroken(reason));
         }
         if (step != null) {
             contradictIfImpossible(step.source(), null, meanwhile, false);
         }
-    }
-
-    /** What failed before, if a plan for it did, and {@code reason}. */
-    private static String afterBroken(Pending pending, String reason) {
-        BrokenPlan before = pending.broken();
-        return before == null ? reason : before.reason() + "; then " + reason;
-    }
-
-    /** The broken plan to recover from; null if there is nothing to do. */
-    private @Nullable BrokenPlan broken(Pending pending, String reason) {
-        Decision decision = progress.decision();
-        Transition transition = decision == null ? null : decision.transition();
-        Step failed = progress.step();
-        if (decision == null || transition == null || failed == null || !ledger.open || ledger.makesWayFor() != null) {
-            return null;
-        }
-        OnFailure then = ledger.rules.table().device().onFailure(transition);
-        BrokenPlan before = pending.broken();
-        State begun = before == null ? decision.deviceStart() : before.begun();
-        boolean isPossible = switch (then) {
-            case STAY -> false;
-            case GO_BACK -> !begun.equals(ledger.place.at().original());
-            case OTHER_WAY -> pending.attempts() < MOST_ATTEMPTS;
-        };
-        List<Step> all = new ArrayList<>(before == null ? List.of() : before.failed());
-        all.add(failed);
-        return isPossible ? new BrokenPlan(then, reason, begun, all) : null;
     }
 
     void dismissed(long number, long atNanos) {
@@ -415,11 +390,11 @@ final class Conversion {
         List<Occurrence> meanwhile = progress.meanwhile();
         Decision decision = progress.decision();
         if (step == null) {
-            breakOff(number, afterBroken(progress.pending(), reason));
+            breakOff(number, progress.pending().afterBroken(reason));
             return;
         }
         long visit = ledger.stay.number();
-        boolean again = end(Outcome.FAILED, afterBroken(progress.pending(), reason));
+        boolean again = end(Outcome.FAILED, progress.pending().afterBroken(reason));
         String why = "it is unknown whether " + step.trigger() + " had its effect: " + reason;
         ledger.doubt(why, number, step, meanwhile, decision instanceof Decision.NewState ? decision : null);
         ledger.start(visit, again);

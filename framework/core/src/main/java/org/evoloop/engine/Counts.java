@@ -1,5 +1,7 @@
 package org.evoloop.engine;
 
+import org.evoloop.evolution.Outcome;
+
 /**
  * The number of occurrences and their outcomes. Those observed are the sum of all outcomes, of those refused, and of
  * those that wait or are in progress.

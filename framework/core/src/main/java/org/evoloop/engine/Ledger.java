@@ -6,6 +6,7 @@ import java.util.Set;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Event;
@@ -99,12 +100,12 @@ final class Ledger {
     }
 
     /**
-     * The urgent event for which the occurrence in progress has to make way; null if there is none, or the new model
-     * would not take it where it is.
+     * Why the occurrence in progress has to make way for an urgent event, for people; empty if there is none, or the new
+     * model would not take it where it is.
      */
-    @Nullable
-    Pending makesWayFor() {
-        return progress.isIdle() || isUrgent(progress.pending()) ? null : nextUrgent();
+    String makesWay() {
+        Pending urgent = progress.isIdle() || isUrgent(progress.pending()) ? null : nextUrgent();
+        return urgent == null ? "" : "overtaken by " + urgent.occurrence().label() + ", which is urgent";
     }
 
     private @Nullable Pending nextUrgent() {
@@ -138,8 +139,11 @@ final class Ledger {
     void ended(
             Occurrence occurrence, Configuration before, Outcome outcome, @Nullable Decision decision, String detail) {
         counts.end(outcome);
-        followOwed |= !isWhereNeeded();
-        out.ended(occurrence, before, place.at(), outcome, decision, detail);
+        followUnless(isWhereNeeded());
+        String why = decision instanceof Decision.NotAcceptable
+                ? rules.table().models().guardsThatDoNotHold(before, occurrence)
+                : detail;
+        out.ended(occurrence, before, place.at(), outcome, decision, why);
     }
 
     void refused(Occurrence occurrence) {
@@ -191,7 +195,8 @@ final class Ledger {
      * Where the device is elsewhere than the state needs it, the new model follows instead; an urgent event is decided
      * before that.
      *
-     * @param after the occurrence that has ended; after a takeover the timers keep their remaining time
+     * @param after the occurrence that has ended; after a takeover the timers keep their remaining time, unless they had
+     *     to wait until the device was where the state needs it
      */
     boolean enterAgain(Occurrence after) {
         boolean again = stay.isOver()
@@ -200,12 +205,13 @@ final class Ledger {
                 && nextUrgent() == null
                 && !isSettling()
                 && isWhereNeeded();
-        if (again && after instanceof Occurrence.Evolved) {
+        boolean tookOver = after instanceof Occurrence.Evolved;
+        if (again && tookOver && !rules.table().needsDevice(place.at().evolved())) {
             enterAsLeft();
         } else if (again) {
             enter(stay.by(), Set.of());
         }
-        return again && !(after instanceof Occurrence.Evolved);
+        return again && !tookOver;
     }
 
     /**
@@ -285,13 +291,18 @@ final class Ledger {
         return new Decision.NewState(before, after, List.of(), transition, interrupted.effects());
     }
 
-    /**
-     * The device is certainly where the record has it, which does not mean that the new model has a place there. What waits
-     * to be decided again decides that: it may have brought the device there, and would otherwise be taken for another
-     * press.
-     */
+    /** The device is certainly where the record has it, which does not mean that the new model has a place there. */
     void followIfApart() {
-        followOwed |= !line.holdsRetry() && !rules.table().isFollowed(place.at());
+        followUnless(rules.table().isFollowed(place.at()));
+    }
+
+    /**
+     * Where device and new model are apart, the new model follows, unless what was in doubt waits to be decided again: that
+     * may have brought the device there, and would otherwise be taken for another press.
+     */
+    private void followUnless(boolean together) {
+        Doubt last = place.lastDoubt();
+        followOwed |= !together && (last == null || !line.holds(last.number()));
     }
 
     /**

@@ -4,6 +4,7 @@ import java.util.Map;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.evolution.Step;
 import org.evoloop.migration.Fate;
 import org.evoloop.statemachine.Event;

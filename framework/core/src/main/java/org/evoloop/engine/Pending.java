@@ -64,6 +64,11 @@ public record Pending(
         return new Pending(number, occurrence, from, own, stepsBefore, attempts + 1, plan);
     }
 
+    /** What failed before, if a plan for it did, and {@code reason}. */
+    String afterBroken(String reason) {
+        return broken == null ? reason : broken.reason() + "; then " + reason;
+    }
+
     /** A copy in the visit {@code after}, if it belongs to the visit {@code before}. */
     Pending carriedOver(long before, long after) {
         boolean belongs = occurrence.visit() == before && before != Occurrence.ANY_VISIT;

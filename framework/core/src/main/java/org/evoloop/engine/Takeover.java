@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Step;
 import org.evoloop.migration.Carried;

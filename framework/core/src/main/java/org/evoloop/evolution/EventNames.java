@@ -18,12 +18,20 @@ import org.evoloop.statemachine.Names;
 public final class EventNames {
     private final Map<String, Event> known = new HashMap<>();
 
-    /** The names of {@code events}. @throws NullPointerException if the set is null */
+    /**
+     * The names of {@code events}.
+     *
+     * @throws NullPointerException if the set is null
+     */
     public EventNames(Set<Event> events) {
         requireNonNull(events, "the events are null; Set.of() are none").forEach(this::add);
     }
 
-    /** The events of both models. @throws NullPointerException if {@code pair} is null */
+    /**
+     * The events of both models.
+     *
+     * @throws NullPointerException if {@code pair} is null
+     */
     public static EventNames of(ModelPair pair) {
         EventNames names = new EventNames(
                 requireNonNull(pair, "the models are null").evolved().events());
@@ -54,7 +62,9 @@ public final class EventNames {
     }
 
     /**
-     * Refuses an event that is not known. @throws IllegalArgumentException if neither model knows {@code event}; the
+     * Refuses an event that is not known.
+     *
+     * @throws IllegalArgumentException if neither model knows {@code event}; the
      * message lists the most similar names
      */
     public void require(Event event) {

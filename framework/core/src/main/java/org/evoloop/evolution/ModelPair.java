@@ -12,6 +12,7 @@ import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.Transition;
 
 /**
  * The two models of an evolution: the device as it is and the device as its owner wants it (the paper's Sys_o and
@@ -155,8 +156,35 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
     public String describe(Configuration at) {
         boolean needs = isNew(at.evolved()) && !whereDeviceMustBe(at.evolved()).isEmpty();
         return needs
-                ? at.evolved() + ", the device in " + at.original()
+                ? describe(at.evolved(), at.original().name())
                 : at.evolved().name();
+    }
+
+    /** The same for a state that needs the device in {@code device}. */
+    public static String describe(State state, String device) {
+        return state + ", the device in " + device;
+    }
+
+    /**
+     * Why {@code occurrence} is not acceptable, if guards are the reason: {@code not acceptable in F: [light load] is
+     * false for load=400}. Empty if the new model draws no transition for its event.
+     */
+    public String guardsThatDoNotHold(Configuration at, Occurrence occurrence) {
+        Event trigger =
+                occurrence instanceof Occurrence.Heard heard ? heard.event().trigger() : null;
+        List<String> guards = evolved.transitionsFrom(at.evolved()).stream()
+                .map(Transition::event)
+                .filter(event ->
+                        event.trigger().equals(trigger) && !event.guards().isEmpty())
+                .map(event -> "[" + String.join("] [", event.guards()) + "]")
+                .toList();
+        if (guards.isEmpty()) {
+            return "";
+        }
+        boolean one = guards.size() == 1 && !guards.get(0).contains("] [");
+        return "not acceptable in " + at.evolved() + ": "
+                + (one ? guards.get(0) + " is false" : "none of " + String.join(", ", guards) + " holds")
+                + (occurrence.values().isEmpty() ? "" : " for " + occurrence.values());
     }
 
     /** The original's states of this name; if there is none, those drawn at this path or inside it. */

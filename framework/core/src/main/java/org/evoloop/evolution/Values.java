@@ -69,12 +69,20 @@ public record Values(Map<String, Object> byName) {
                 + "; allowed are texts, numbers and true or false");
     }
 
-    /** One value. @throws IllegalArgumentException if it is neither a string, a number nor a boolean */
+    /**
+     * One value.
+     *
+     * @throws IllegalArgumentException if it is neither a string, a number nor a boolean
+     */
     public static Values of(String name, Object value) {
         return NONE.with(name, value);
     }
 
-    /** A copy with this value added or replaced. @throws IllegalArgumentException as the constructor */
+    /**
+     * A copy with this value added or replaced.
+     *
+     * @throws IllegalArgumentException as the constructor
+     */
     public Values with(String name, Object value) {
         TreeMap<String, Object> more = new TreeMap<>(byName);
         more.put(requireNonNull(name, NO_NAME), value);
@@ -86,19 +94,58 @@ public record Values(Map<String, Object> byName) {
         return byName.isEmpty();
     }
 
-    /** A number. @throws IllegalArgumentException if there is no number of that name */
+    /**
+     * A number.
+     *
+     * @throws IllegalArgumentException if there is no number of that name
+     */
     public double number(String name) {
         return require(name, Double.class);
     }
 
-    /** A string. @throws IllegalArgumentException if there is no string of that name */
+    /**
+     * A string.
+     *
+     * @throws IllegalArgumentException if there is no string of that name
+     */
     public String text(String name) {
         return require(name, String.class);
     }
 
-    /** A boolean. @throws IllegalArgumentException if there is no boolean of that name */
+    /**
+     * A boolean.
+     *
+     * @throws IllegalArgumentException if there is no boolean of that name
+     */
     public boolean truth(String name) {
         return require(name, Boolean.class);
+    }
+
+    /**
+     * A number, or {@code otherwise} if there is nothing of that name.
+     *
+     * @throws IllegalArgumentException if it is something else
+     */
+    public double number(String name, double otherwise) {
+        return byName.containsKey(requireNonNull(name, NO_NAME)) ? number(name) : otherwise;
+    }
+
+    /**
+     * A string, or {@code otherwise} if there is nothing of that name.
+     *
+     * @throws IllegalArgumentException if it is something else
+     */
+    public String text(String name, String otherwise) {
+        return byName.containsKey(requireNonNull(name, NO_NAME)) ? text(name) : otherwise;
+    }
+
+    /**
+     * A boolean, or {@code otherwise} if there is nothing of that name.
+     *
+     * @throws IllegalArgumentException if it is something else
+     */
+    public boolean truth(String name, boolean otherwise) {
+        return byName.containsKey(requireNonNull(name, NO_NAME)) ? truth(name) : otherwise;
     }
 
     private <T> T require(String name, Class<T> type) {
@@ -115,7 +162,13 @@ public record Values(Map<String, Object> byName) {
     public String toString() {
         StringBuilder text = new StringBuilder();
         byName.forEach((name, value) ->
-                text.append(text.isEmpty() ? "" : ", ").append(name).append('=').append(value));
+                text.append(text.isEmpty() ? "" : ", ").append(name).append('=').append(shown(value)));
         return text.toString();
+    }
+
+    /** Whole numbers without a fraction. */
+    private static String shown(Object value) {
+        boolean whole = value instanceof Double number && number == Math.rint(number) && Math.abs(number) < 1e15;
+        return whole ? String.valueOf(((Double) value).longValue()) : value.toString();
     }
 }

@@ -5,9 +5,20 @@ import org.jspecify.annotations.Nullable;
 
 /** A thread that runs analyze, plan and execute components: its slot holds the one whose turn it is. */
 final class CarrierThread extends LoopThread {
+    /** A component that was given work. */
+    interface Stage {
+        /**
+         * Does the work on the caller's thread, unless that was given up before it began.
+         *
+         * @return the stage that continues on this thread; null if none does
+         */
+        @Nullable
+        Stage runGiven();
+    }
+
     private final WaitStrategy waiting;
     // Volatile fields, not atomic objects: events are rare, so the code of those would still be interpreted.
-    private volatile @Nullable StageWorker<?> slot;
+    private volatile @Nullable Stage slot;
     private volatile boolean asleep;
 
     /** Whether its turn came soon last time, so that it is worth staying awake. Used by the thread itself only. */
@@ -19,7 +30,7 @@ final class CarrierThread extends LoopThread {
     }
 
     /** Puts a component that was given work into the slot, which must be empty; {@link #wake} has to follow. */
-    void give(StageWorker<?> stage) {
+    void give(Stage stage) {
         slot = stage;
     }
 
@@ -83,7 +94,7 @@ final class CarrierThread extends LoopThread {
 
     /** Runs the component in the slot, if any, and those that follow it on this thread. */
     void runGiven() {
-        StageWorker<?> stage = slot;
+        Stage stage = slot;
         if (stage != null) {
             slot = null;
         }

@@ -66,22 +66,38 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
         this.roster = new Roster<>(config, pipeline, sequencer);
     }
 
-    /** Adds a monitor. @throws IllegalStateException if the loop has ended or the name is taken */
+    /**
+     * Adds a monitor.
+     *
+     * @throws IllegalStateException if the loop has ended or the name is taken
+     */
     public void addMonitor(Monitor<O> monitor) {
         add(monitor);
     }
 
-    /** Sets the analyze component. @throws IllegalStateException if there is one already, or the loop has ended */
+    /**
+     * Sets the analyze component.
+     *
+     * @throws IllegalStateException if there is one already, or the loop has ended
+     */
     public void addAnalyze(Analyze<O, A> analyze) {
         add(analyze);
     }
 
-    /** Sets the plan component. @throws IllegalStateException if there is one already, or the loop has ended */
+    /**
+     * Sets the plan component.
+     *
+     * @throws IllegalStateException if there is one already, or the loop has ended
+     */
     public void addPlan(Plan<A, P> plan) {
         add(plan);
     }
 
-    /** Adds an execute component. @throws IllegalStateException if the loop has ended or the name is taken */
+    /**
+     * Adds an execute component.
+     *
+     * @throws IllegalStateException if the loop has ended or the name is taken
+     */
     public void addExecute(Execute<P> execute) {
         add(execute);
     }
@@ -239,7 +255,11 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
         }
     }
 
-    /** Opens the loop. Does nothing if it is open. @throws IllegalStateException if it is not built, or has ended */
+    /**
+     * Opens the loop. Does nothing if it is open.
+     *
+     * @throws IllegalStateException if it is not built, or has ended
+     */
     public void start() {
         start(() -> {});
     }

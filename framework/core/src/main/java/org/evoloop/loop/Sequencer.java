@@ -16,13 +16,14 @@ import org.slf4j.LoggerFactory;
  * one without the lock. Taking the turn away replaces it by the same atomic operation, so one of the two comes too late
  * and does nothing: the result of a component that was given up is ignored.
  */
-final class Sequencer<O> {
+final class Sequencer<O> implements StageWorker.Turns, Supervisor.Turns<O> {
     // Unlike an atomic reference, it is fast before it has been compiled, which matters for rare events.
     @SuppressWarnings("rawtypes") // a class literal has no type arguments
     private static final AtomicReferenceFieldUpdater<Sequencer, StageWorker> TURN =
             AtomicReferenceFieldUpdater.newUpdater(Sequencer.class, StageWorker.class, "busy");
 
-    private static final Logger LOG = LoggerFactory.getLogger(MapeLoop.class);
+    /** The loop logs under one name. */
+    private static final Logger LOG = LoggerFactory.getLogger("org.evoloop.loop.MapeLoop");
 
     private final LoopConfig config;
     private final LoopListener<O> listener;
@@ -92,8 +93,8 @@ final class Sequencer<O> {
         }
     }
 
-    /** Begins the next occurrence if nothing is in the loop: the intake may hold one that was not offered. */
-    void look() {
+    @Override
+    public void look() {
         lock.acquire();
         try {
             begin();
@@ -130,8 +131,8 @@ final class Sequencer<O> {
         }
     }
 
-    /** Hands the turn on; false if {@code from} was given up meanwhile. */
-    boolean pass(StageWorker<?> from, StageWorker<?> next) {
+    @Override
+    public boolean pass(StageWorker<?> from, StageWorker<?> next) {
         // One that was given up must not give more time to the one that has the turn now.
         if (busy == from) {
             supervisor.stepBegins();
@@ -145,8 +146,8 @@ final class Sequencer<O> {
         return false;
     }
 
-    /** Ends the cycle, by a failure if the next component is stuck. */
-    void end(StageWorker<?> from, @Nullable StageWorker<?> stuck) {
+    @Override
+    public void end(StageWorker<?> from, @Nullable StageWorker<?> stuck) {
         Failure<O> failure = null;
         lock.acquire();
         try {
@@ -197,8 +198,8 @@ final class Sequencer<O> {
 
     // Failures
 
-    /** A stage threw; the cycle ends unless it was given up before. */
-    void failed(StageWorker<?> worker, Throwable cause) {
+    @Override
+    public void failed(StageWorker<?> worker, Throwable cause) {
         O about;
         lock.acquire();
         try {
@@ -213,8 +214,8 @@ final class Sequencer<O> {
         end(worker, null);
     }
 
-    /** A stage has returned null, {@code inARow} times in a row; what was given up before has ended already. */
-    void returnedNull(StageWorker<?> worker, int inARow) {
+    @Override
+    public void returnedNull(StageWorker<?> worker, int inARow) {
         O about;
         lock.acquire();
         try {
@@ -246,12 +247,8 @@ final class Sequencer<O> {
         return "is stuck in its thread " + worker.threadName() + "; exchange it";
     }
 
-    /**
-     * Takes the turn from a component that does not return; the lock is held, and {@link #proceedWithout} has to
-     * follow. Returns null if it no longer has the turn.
-     */
-    @Nullable
-    Failure<O> giveUp(StageWorker<?> worker, String why) {
+    @Override
+    public @Nullable Failure<O> giveUp(StageWorker<?> worker, String why) {
         if (!TURN.compareAndSet(this, worker, null)) {
             return null;
         }
@@ -270,8 +267,8 @@ final class Sequencer<O> {
         return failure;
     }
 
-    /** Reports that {@code late} was given up, and begins the next occurrence; the lock is not held. */
-    void proceedWithout(StageWorker<?> late, @Nullable Failure<O> failure) {
+    @Override
+    public void proceedWithout(StageWorker<?> late, @Nullable Failure<O> failure) {
         // The next occurrence may need the same component, for example to find out whether its step had its effect.
         late.letReturn();
         proceedAfter(late, failure);
@@ -314,9 +311,8 @@ final class Sequencer<O> {
 
     // Changes; the lock is held
 
-    /** The component that has the turn; null if none has. May be read without the lock. */
-    @Nullable
-    StageWorker<?> busy() {
+    @Override
+    public @Nullable StageWorker<?> busy() {
         return busy;
     }
 

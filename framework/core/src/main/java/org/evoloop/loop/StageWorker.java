@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param <I> the input of its component
  */
-final class StageWorker<I> extends Worker {
+final class StageWorker<I> extends Worker implements CarrierThread.Stage {
     private static final long RETURN_NANOS = 50_000_000;
 
     /** Calls the component with its input; returns the stage that continues on the same thread, null if none does. */
@@ -19,8 +19,30 @@ final class StageWorker<I> extends Worker {
         StageWorker<?> run(StageWorker<I> by, I input) throws Exception;
     }
 
+    /** Whose turn it is. */
+    interface Turns {
+        /** The component that has the turn; null if none has. May be read without the lock. */
+        @Nullable
+        StageWorker<?> busy();
+
+        /** Hands the turn on; false if {@code from} was given up meanwhile. */
+        boolean pass(StageWorker<?> from, StageWorker<?> next);
+
+        /** Ends the cycle, by a failure if the next component is stuck. */
+        void end(StageWorker<?> from, @Nullable StageWorker<?> stuck);
+
+        /** A stage threw; the cycle ends unless it was given up before. */
+        void failed(StageWorker<?> worker, Throwable cause);
+
+        /** A stage has returned null, {@code inARow} times in a row; what was given up before has ended already. */
+        void returnedNull(StageWorker<?> worker, int inARow);
+
+        /** Begins the next occurrence if nothing is in the loop: the intake may hold one that was not offered. */
+        void look();
+    }
+
     private final Work<I> work;
-    private final Sequencer<?> sequencer;
+    private final Turns turns;
     private final Crew crew;
     private final @Nullable CarrierThread own;
     private @Nullable I input;
@@ -35,10 +57,10 @@ final class StageWorker<I> extends Worker {
     /** The thread in which it hangs; null if it does not hang, or in a loop without threads. */
     private volatile @Nullable CarrierThread stuckIn;
 
-    StageWorker(Component component, Crew crew, Sequencer<?> sequencer, Work<I> work) {
+    StageWorker(Component component, Crew crew, Turns turns, Work<I> work) {
         super(component);
         this.crew = crew;
-        this.sequencer = sequencer;
+        this.turns = turns;
         this.work = work;
         this.own = crew.own(component);
     }
@@ -64,13 +86,8 @@ final class StageWorker<I> extends Worker {
         return cycle;
     }
 
-    /**
-     * Does its work on the caller's thread, unless that was given up before it began.
-     *
-     * @return the stage that continues on this thread; null if none does
-     */
-    @Nullable
-    StageWorker<?> runGiven() {
+    @Override
+    public @Nullable StageWorker<?> runGiven() {
         I given = input;
         if (given == null) {
             return null;
@@ -80,13 +97,13 @@ final class StageWorker<I> extends Worker {
         try {
             return isStuck() ? null : work.run(this, given);
         } catch (Throwable cause) {
-            sequencer.failed(this, cause);
+            turns.failed(this, cause);
             return null;
         } finally {
             if (stuckSince == givenCycle) {
                 stuckIn = null;
                 stuckSince = 0;
-                sequencer.look();
+                turns.look();
             }
         }
     }
@@ -99,15 +116,15 @@ final class StageWorker<I> extends Worker {
     <R> @Nullable StageWorker<R> handOn(@Nullable R result, @Nullable StageWorker<R> next) {
         nulls = result == null ? nulls + 1 : 0;
         if (nulls > 0) {
-            sequencer.returnedNull(this, nulls);
+            turns.returnedNull(this, nulls);
         }
         if (result == null || next == null || next.isStuck()) {
-            sequencer.end(this, result == null ? null : next);
+            turns.end(this, result == null ? null : next);
             return null;
         }
         // Read now: once the next one has the turn, that may be taken away, and this one be given the next occurrence.
         long inCycle = cycle;
-        return sequencer.pass(this, next) ? next.proceed(inCycle, result) : null;
+        return turns.pass(this, next) ? next.proceed(inCycle, result) : null;
     }
 
     /** Returns itself if it is to be run by the caller's thread; null if its own thread runs it. */
@@ -142,7 +159,7 @@ final class StageWorker<I> extends Worker {
 
     @Override
     boolean isWorking() {
-        return sequencer.busy() == this;
+        return turns.busy() == this;
     }
 
     @Override

@@ -2,6 +2,7 @@ package org.evoloop.loop;
 
 import java.time.Duration;
 import org.evoloop.time.Clock;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Gives up components that work on their occurrence for longer than the step limit.
@@ -9,7 +10,24 @@ import org.evoloop.time.Clock;
  * <p>Threading: guarded by the loop's lock, but for {@link #stepBegins}; the clock calls while there is work.
  */
 final class Supervisor<O> {
-    private final Sequencer<O> sequencer;
+    /** Whose turn it is, and how it is taken away. */
+    interface Turns<O> {
+        /** The component that has the turn; null if none has. */
+        @Nullable
+        StageWorker<?> busy();
+
+        /**
+         * Takes the turn from a component that does not return; the lock is held, and {@link #proceedWithout} has to
+         * follow. Returns null if it no longer has the turn.
+         */
+        @Nullable
+        Failure<O> giveUp(StageWorker<?> worker, String why);
+
+        /** Reports that {@code late} was given up, and begins the next occurrence; the lock is not held. */
+        void proceedWithout(StageWorker<?> late, @Nullable Failure<O> failure);
+    }
+
+    private final Turns<O> turns;
     private final LoopLock lock;
     private final Clock clock;
     private final Duration limit;
@@ -17,8 +35,8 @@ final class Supervisor<O> {
     private volatile long begunNanos;
     private boolean scheduled;
 
-    Supervisor(LoopConfig config, Sequencer<O> sequencer, LoopLock lock) {
-        this.sequencer = sequencer;
+    Supervisor(LoopConfig config, Turns<O> turns, LoopLock lock) {
+        this.turns = turns;
         this.lock = lock;
         this.clock = config.clock();
         this.limit = config.stepLimit();
@@ -46,14 +64,14 @@ final class Supervisor<O> {
         Failure<O> failure = null;
         lock.acquire();
         try {
-            StageWorker<?> busy = sequencer.busy();
+            StageWorker<?> busy = turns.busy();
             if (busy == null) {
                 scheduled = false;
                 return;
             }
             long left = limit.toNanos() - (clock.nanoTime() - begunNanos);
             if (left <= 0) {
-                failure = sequencer.giveUp(busy, "has not returned for " + limit.toMillis() + " ms");
+                failure = turns.giveUp(busy, "has not returned for " + limit.toMillis() + " ms");
                 late = failure == null ? null : busy;
                 left = limit.toNanos();
             }
@@ -62,7 +80,7 @@ final class Supervisor<O> {
             lock.release();
         }
         if (late != null) {
-            sequencer.proceedWithout(late, failure);
+            turns.proceedWithout(late, failure);
         }
     }
 }

@@ -77,7 +77,11 @@ public record Migration(List<Line> lines) {
         return reached;
     }
 
-    /** The fate of a pair of states in the plan. @throws IllegalArgumentException if the plan does not have it */
+    /**
+     * The fate of a pair of states in the plan.
+     *
+     * @throws IllegalArgumentException if the plan does not have it
+     */
     public Fate at(Configuration pair) {
         return lines.stream()
                 .filter(line -> line.at().equals(pair))

@@ -2,10 +2,10 @@ package org.evoloop.rehearsal;
 
 import java.util.List;
 import java.util.Set;
-import org.evoloop.engine.Outcome;
 import org.evoloop.engine.Output;
 import org.evoloop.evolution.BrokenPlan;
 import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.evolution.Step;
 import org.jspecify.annotations.Nullable;
 

@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Function;
 import org.evoloop.engine.Core;
-import org.evoloop.engine.Outcome;
 import org.evoloop.engine.Output;
 import org.evoloop.engine.Pending;
 import org.evoloop.engine.Rules;
@@ -14,6 +13,7 @@ import org.evoloop.engine.Snapshot;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 

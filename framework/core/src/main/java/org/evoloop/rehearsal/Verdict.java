@@ -1,8 +1,8 @@
 package org.evoloop.rehearsal;
 
 import java.util.List;
-import org.evoloop.engine.Outcome;
 import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Outcome;
 
 /**
  * The result of an event.

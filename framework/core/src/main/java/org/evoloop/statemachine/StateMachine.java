@@ -105,7 +105,11 @@ public final class StateMachine {
         return found;
     }
 
-    /** A copy with this name. @throws NullPointerException if it is null */
+    /**
+     * A copy with this name.
+     *
+     * @throws NullPointerException if it is null
+     */
     public StateMachine withName(String otherName) {
         return new StateMachine(this, requireNonNull(otherName, "the name of a state machine is null"), urgent, traits);
     }
@@ -179,7 +183,11 @@ public final class StateMachine {
         return builder.build();
     }
 
-    /** Starts a machine of this name, which is used in messages. @throws NullPointerException if it is null */
+    /**
+     * Starts a machine of this name, which is used in messages.
+     *
+     * @throws NullPointerException if it is null
+     */
     public static StateMachineBuilder named(String name) {
         return new StateMachineBuilder(name);
     }

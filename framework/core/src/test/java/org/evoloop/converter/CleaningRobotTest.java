@@ -6,7 +6,8 @@ import static org.evoloop.converter.Robot.at;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
-import org.evoloop.engine.Outcome;
+import org.evoloop.converter.recording.Transcript;
+import org.evoloop.evolution.Outcome;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 

@@ -10,7 +10,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
-import org.evoloop.engine.Outcome;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.LoopState;
 import org.evoloop.loop.ThreadingModel;

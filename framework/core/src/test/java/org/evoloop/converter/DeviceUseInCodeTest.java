@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.evoloop.Machines.machine;
 
+import java.util.List;
 import java.util.function.Consumer;
+import org.evoloop.converter.attachment.Friends;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.function.NewFunction;
 import org.evoloop.statemachine.Event;
@@ -39,8 +41,12 @@ class DeviceUseInCodeTest {
         }
 
         Known registered() {
-            register();
+            Friends.KNOWLEDGE.of(this).register();
             return this;
+        }
+
+        List<String> problems(boolean leftOver) {
+            return Friends.KNOWLEDGE.of(this).problems(leftOver);
         }
     }
 
@@ -63,6 +69,17 @@ class DeviceUseInCodeTest {
 
         assertThat(known.problems(true)).contains("state Boost has two device states, Turbo and Cool; keep one");
         assertThat(known.models().whereDeviceMustBe(BOOST)).containsExactly(new State("Turbo"));
+    }
+
+    @Test
+    void aModelThatDrawsWhatAFunctionSendsDrawsAllOfIt() {
+        Known same = new Known(each -> each.sends("Boost", "swing"), "Boost sends swing").registered();
+        Known more = new Known(each -> each.sends("Boost", "turbo"), "Boost sends swing").registered();
+
+        assertThat(same.problems(true)).noneMatch(problem -> problem.contains("sends"));
+        assertThat(more.problems(true))
+                .contains("the function of Boost sends turbo, but the new model draws that it sends swing only; draw"
+                        + " turbo, too, or remove it from the code");
     }
 
     @Test

@@ -3,7 +3,7 @@ package org.evoloop.converter;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.evoloop.converter.Robot.at;
 
-import org.evoloop.engine.Outcome;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.function.NewFunction;
 import org.evoloop.statemachine.State;
 import org.junit.jupiter.api.AfterEach;

@@ -3,7 +3,7 @@ package org.evoloop.converter;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
-import org.evoloop.engine.Outcome;
+import org.evoloop.evolution.Outcome;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 

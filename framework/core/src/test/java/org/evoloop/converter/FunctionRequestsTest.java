@@ -7,9 +7,9 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
-import org.evoloop.engine.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Values;
 import org.evoloop.function.NewFunction;
@@ -119,7 +119,7 @@ class FunctionRequestsTest {
             player.buttons.press("play", Values.of("volume", 7));
             player.observe();
             player.settle();
-            assertThat(player.sent).containsExactly("play volume=7.0");
+            assertThat(player.sent).containsExactly("play volume=7");
         }
     }
 
@@ -165,10 +165,10 @@ class FunctionRequestsTest {
             player.buttons.press("fade", Values.of("volume", 7));
             player.observe();
             player.settle();
-            assertThat(player.sent).containsExactly("play", "pause volume=7.0", "stop seconds=3.0");
+            assertThat(player.sent).containsExactly("play", "pause volume=7", "stop seconds=3");
             assertThat(player.converter.history())
                     .extracting(entry -> entry.occurrence().toString())
-                    .contains("pause (asked by a function, volume=7.0)", "faded (function, seconds=3.0)");
+                    .contains("pause (asked by a function, volume=7)", "faded (function, seconds=3)");
         }
     }
 

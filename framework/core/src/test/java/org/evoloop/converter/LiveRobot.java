@@ -18,7 +18,7 @@ import org.evoloop.loop.ThreadingModel;
 import org.evoloop.time.ManualClock;
 
 /** The paper's cleaning robot as a converter with threads and a manual clock; tests control what its components do. */
-final class LiveRobot implements AutoCloseable {
+public final class LiveRobot implements AutoCloseable {
     static final Duration STEP_LIMIT = Duration.ofSeconds(30);
     static final Duration SHORT_JOIN = Duration.ofMillis(50);
     private static final int PATIENCE_SECONDS = 20;
@@ -161,14 +161,14 @@ final class LiveRobot implements AutoCloseable {
         }
     }
 
-    static void await(CountDownLatch latch) throws InterruptedException {
+    public static void await(CountDownLatch latch) throws InterruptedException {
         if (!latch.await(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
             throw new AssertionError("never happened");
         }
     }
 
     /** Waits like code that ignores interrupts. */
-    static void awaitDeaf(CountDownLatch latch) {
+    public static void awaitDeaf(CountDownLatch latch) {
         boolean interrupted = false;
         while (latch.getCount() > 0) {
             try {

@@ -9,11 +9,11 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.slf4j.LoggerFactory;
 
 /** What a logger logs while this is open: trimmed lines, without empty ones. */
-final class LoggedLines extends AppenderBase<ILoggingEvent> implements AutoCloseable {
+public final class LoggedLines extends AppenderBase<ILoggingEvent> implements AutoCloseable {
     private final Logger logger;
     private final List<String> lines = new CopyOnWriteArrayList<>();
 
-    LoggedLines(String name) {
+    public LoggedLines(String name) {
         logger = (Logger) LoggerFactory.getLogger(name);
         setContext(logger.getLoggerContext());
         start();
@@ -29,7 +29,7 @@ final class LoggedLines extends AppenderBase<ILoggingEvent> implements AutoClose
         }
     }
 
-    List<String> lines() {
+    public List<String> lines() {
         return lines;
     }
 

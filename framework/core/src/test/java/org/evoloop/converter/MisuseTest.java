@@ -9,6 +9,7 @@ import java.util.Set;
 import org.assertj.core.api.AbstractThrowableAssert;
 import org.evoloop.PaperModels;
 import org.evoloop.RecordingExecute;
+import org.evoloop.converter.attachment.Friends;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Step;
@@ -17,6 +18,7 @@ import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.State;
 import org.evoloop.time.Clock;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
@@ -177,7 +179,7 @@ class MisuseTest {
                 return null;
             }
         };
-        assertThatThrownBy(() -> mute.locate(knowledge, true, cause -> {}))
+        assertThatThrownBy(() -> Friends.EXECUTE.of(mute).locate(State::new, true, cause -> {}))
                 .hasMessage("locate() is null; return Optional.empty() if the device does not know it");
     }
 
@@ -202,6 +204,9 @@ class MisuseTest {
         assertThatThrownBy(() -> knowledge.timer("SpotWait", null, Duration.ZERO))
                 .hasMessage("the name of an event is null");
         assertThatThrownBy(() -> panel.press(null)).hasMessage("the name of an event is null");
+        assertThatThrownBy(() -> panel.press(" "))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("the event that is pressed has no name; press one of the models' events");
         converter.addSpare("spare", () -> null);
         converter.addKnowledge(knowledge);
         converter.addExecute(device);

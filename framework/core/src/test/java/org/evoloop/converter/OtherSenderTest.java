@@ -6,9 +6,9 @@ import static org.evoloop.converter.Robot.at;
 
 import java.io.IOException;
 import java.util.Set;
-import org.evoloop.engine.Outcome;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.OnFailure;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.evolution.Step;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.ManualClock;

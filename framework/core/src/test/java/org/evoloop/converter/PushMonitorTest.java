@@ -10,6 +10,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.evoloop.converter.attachment.Friends;
 import org.evoloop.evolution.EventNames;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.loop.Analyze;
@@ -58,7 +59,9 @@ class PushMonitorTest {
         LoopConfig config = LoopConfig.defaults("pushed", clock).withQueueCapacity(EVENTS);
         MapeLoop<Occurrence, Occurrence, Occurrence> loop = new MapeLoop<>(config, new Strict());
         EventNames names = new EventNames(IN_ORDER.stream().map(Event::new).collect(Collectors.toSet()));
-        monitor.attach(config, loop, names, (event, values) -> Set.of(), event -> false);
+        Friends.MONITOR
+                .of(monitor)
+                .attach(config, loop, names, (event, values) -> Set.of(), event -> false, (occurrence, then) -> {});
         loop.addMonitor(monitor);
         loop.addAnalyze(new Analyze<>("Analyze") {
             @Override

@@ -4,8 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.evoloop.converter.Robot.at;
 
 import java.time.Duration;
-import org.evoloop.engine.Outcome;
+import org.evoloop.converter.recording.Transcript;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.statemachine.State;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;

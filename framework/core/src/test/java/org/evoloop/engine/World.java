@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Set;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;

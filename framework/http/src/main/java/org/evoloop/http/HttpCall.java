@@ -64,7 +64,11 @@ public record HttpCall(
         return URI.create(address.replace("{", "%7B").replace("}", "%7D"));
     }
 
-    /** A copy with an event's values in their places. @throws IllegalArgumentException if one is missing */
+    /**
+     * A copy with an event's values in their places.
+     *
+     * @throws IllegalArgumentException if one is missing
+     */
     HttpCall with(Values values) {
         String places = address.toString().replace("%7B", "{").replace("%7D", "}");
         return new HttpCall(

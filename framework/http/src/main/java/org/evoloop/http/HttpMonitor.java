@@ -105,7 +105,11 @@ public class HttpMonitor extends PushMonitor implements AutoCloseable {
         return this;
     }
 
-    /** The port that it listens on. @throws IllegalStateException if it does not listen */
+    /**
+     * The port that it listens on.
+     *
+     * @throws IllegalStateException if it does not listen
+     */
     public final synchronized int port() {
         if (server == null) {
             throw new IllegalStateException(name() + " is not open");

@@ -19,7 +19,11 @@ final class Limit {
         deadlineNanos = System.nanoTime() + limit.toNanos();
     }
 
-    /** The time left, at least 1. @throws SocketTimeoutException if none is left */
+    /**
+     * The time left, at least 1.
+     *
+     * @throws SocketTimeoutException if none is left
+     */
     int millis() throws SocketTimeoutException {
         long left = deadlineNanos - System.nanoTime();
         if (left <= 0) {

@@ -65,7 +65,11 @@ record Reply(int status, long length, InputStream rest) {
         return line.toString(StandardCharsets.ISO_8859_1).stripTrailing();
     }
 
-    /** The body, or its beginning, as text in UTF-8. @throws IOException if it is cut short */
+    /**
+     * The body, or its beginning, as text in UTF-8.
+     *
+     * @throws IOException if it is cut short
+     */
     String body() throws IOException {
         if (length != CHUNKED) {
             byte[] body = rest.readNBytes((int) Math.min(LONGEST_BODY, length < 0 ? LONGEST_BODY : length));

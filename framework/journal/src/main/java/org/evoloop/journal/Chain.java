@@ -59,7 +59,11 @@ record Chain(
         }
     }
 
-    /** A journal that may be in use. @throws JournalException if it is not as it was written */
+    /**
+     * A journal that may be in use.
+     *
+     * @throws JournalException if it is not as it was written
+     */
     static Chain whileInUse(Path directory) {
         for (int looks = 1; ; looks++) {
             try {
@@ -72,7 +76,11 @@ record Chain(
         }
     }
 
-    /** A journal that nobody else writes. @throws JournalException if it is not as it was written */
+    /**
+     * A journal that nobody else writes.
+     *
+     * @throws JournalException if it is not as it was written
+     */
     static Chain of(Path directory) {
         List<Path> leftOver = new ArrayList<>();
         List<Read> segments = read(Directory.segments(directory), leftOver);

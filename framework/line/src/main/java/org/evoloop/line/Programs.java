@@ -17,7 +17,11 @@ final class Programs {
 
     private Programs() {}
 
-    /** Checks a command. @throws IllegalArgumentException if it cannot be started on any machine */
+    /**
+     * Checks a command.
+     *
+     * @throws IllegalArgumentException if it cannot be started on any machine
+     */
     static List<String> requireCommand(List<String> command) {
         if (command.isEmpty() || command.get(0).isBlank() || command.stream().anyMatch(each -> each.contains("\0"))) {
             throw new IllegalArgumentException(

@@ -74,7 +74,11 @@ public final class SerialLink implements Link {
                 "evoloop-serial-" + settings.shortName() + "-guard");
     }
 
-    /** Opens a port. @throws LinkException if it cannot be used */
+    /**
+     * Opens a port.
+     *
+     * @throws LinkException if it cannot be used
+     */
     public static SerialLink open(SerialSettings settings) {
         SerialLink opened = new SerialLink(SerialPorts.open(settings), settings);
         opened.writer.start();

@@ -10,7 +10,7 @@ import io.micrometer.core.instrument.Timer;
 import io.micrometer.core.instrument.binder.MeterBinder;
 import java.time.Duration;
 import java.time.temporal.ChronoUnit;
-import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
@@ -38,8 +38,9 @@ import org.evoloop.loop.LoopState;
  *       the new function, and true or false ones as 1 or 0; with their {@code unit}, such as {@code %}
  * </ul>
  *
- * <p>The values are computed when the registry is read. Failures, link and readings come and go; they are those of the
- * last {@link #refresh}.
+ * <p>The values are computed when the registry is read. Components, link and readings come and go: which there are, is
+ * looked up when {@code evoloop.running} is read, so that a registry shows a new one the next time; {@link #refresh} does
+ * that at once.
  *
  * <p>Threading: thread-safe; reading never blocks.
  *
@@ -68,7 +69,7 @@ public final class ConverterMetrics implements MeterBinder {
 
     private final SystemEventConverter converter;
     private final Tags tags;
-    private final Map<MultiGauge, Function<ConverterStatus, List<Row<?>>>> rows = new ConcurrentHashMap<>();
+    private final Map<MultiGauge, Function<ConverterStatus, Map<Tags, Number>>> rows = new ConcurrentHashMap<>();
 
     /** @param converter a built converter */
     public ConverterMetrics(SystemEventConverter converter) {
@@ -99,11 +100,10 @@ public final class ConverterMetrics implements MeterBinder {
                 "evoloop.queue.highest",
                 "The most that have waited",
                 status -> status.queue().highest());
-        gauge(
-                registry,
-                "evoloop.running",
-                "Whether events are converted",
-                status -> truth(status.loop() == LoopState.RUNNING));
+        gauge(registry, "evoloop.running", "Whether events are converted", status -> {
+            refresh(status);
+            return truth(status.loop() == LoopState.RUNNING);
+        });
         gauge(
                 registry,
                 "evoloop.doubt",
@@ -126,10 +126,19 @@ public final class ConverterMetrics implements MeterBinder {
         refresh();
     }
 
-    /** Updates the current components, link and readings; call it before the registry is read. */
+    /** Looks up which components, link and readings there are now. */
     public void refresh() {
-        ConverterStatus status = converter.status();
-        rows.forEach((gauge, of) -> gauge.register(of.apply(status), true));
+        refresh(converter.status());
+    }
+
+    /** What has been there before stays as it is, since a registry may be in the middle of reading it. */
+    private synchronized void refresh(ConverterStatus status) {
+        rows.forEach((gauge, of) -> gauge.register(
+                of.apply(status).keySet().stream()
+                        .<Row<?>>map(each ->
+                                Row.of(each, () -> of.apply(converter.status()).getOrDefault(each, Double.NaN)))
+                        .toList(),
+                false));
     }
 
     private void times(MeterRegistry registry) {
@@ -147,29 +156,30 @@ public final class ConverterMetrics implements MeterBinder {
     }
 
     private void rows(
-            MeterRegistry registry, String name, String description, Function<ConverterStatus, List<Row<?>>> of) {
+            MeterRegistry registry, String name, String description, Function<ConverterStatus, Map<Tags, Number>> of) {
         rows.put(MultiGauge.builder(name).description(description).tags(tags).register(registry), of);
     }
 
-    private List<Row<?>> failures(ConverterStatus status) {
-        return status.components().stream()
-                .<Row<?>>map(component -> Row.of(Tags.of("component", component.name()), component.failures()))
-                .toList();
+    private Map<Tags, Number> failures(ConverterStatus status) {
+        Map<Tags, Number> failures = new LinkedHashMap<>();
+        status.components()
+                .forEach(component -> failures.put(Tags.of("component", component.name()), component.failures()));
+        return failures;
     }
 
-    private List<Row<?>> link(ConverterStatus status) {
+    private Map<Tags, Number> link(ConverterStatus status) {
         ConverterStatus.LinkStatus link = status.link();
-        return link == null ? List.of() : List.of(Row.of(Tags.empty(), truth(link.up())));
+        return link == null ? Map.of() : Map.of(Tags.empty(), truth(link.up()));
     }
 
-    private static List<Row<?>> readings(List<Reading> readings) {
-        List<Row<?>> numbers = new ArrayList<>();
+    private static Map<Tags, Number> readings(List<Reading> readings) {
+        Map<Tags, Number> numbers = new LinkedHashMap<>();
         for (Reading reading : readings) {
             Tags named = Tags.of("reading", reading.name(), "unit", reading.unit());
             if (reading.value() instanceof Boolean holds) {
-                numbers.add(Row.of(named, truth(holds)));
+                numbers.put(named, truth(holds));
             } else if (reading.value() instanceof Number number) {
-                numbers.add(Row.of(named, number));
+                numbers.put(named, number);
             }
         }
         return numbers;

@@ -46,7 +46,11 @@ final class DeviceOptions {
             description = "States of the device that no path may pass through.")
     private List<String> doNotPass = List.of();
 
-    /** The events between converter and device. @throws IllegalArgumentException for a name that the model lacks */
+    /**
+     * The events between converter and device.
+     *
+     * @throws IllegalArgumentException for a name that the model lacks
+     */
     DeviceEvents of(StateMachine device) {
         return of(device, device);
     }

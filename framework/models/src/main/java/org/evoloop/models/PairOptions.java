@@ -50,7 +50,11 @@ final class PairOptions {
                 ModelReader.drawing(original(), pair.original()), ModelReader.drawing(evolved(), pair.evolved()));
     }
 
-    /** The events between converter and device. @throws IllegalArgumentException for a name that the models lack */
+    /**
+     * The events between converter and device.
+     *
+     * @throws IllegalArgumentException for a name that the models lack
+     */
     DeviceEvents device(ModelPair pair) {
         return device.of(pair.original()).withOnFailure(FailureChoices.of(onFailure, pair.evolved()));
     }

@@ -45,7 +45,11 @@ record TokenFile(Path path) {
         }
     }
 
-    /** Writes the file, entirely or not at all. @throws IOException if that is impossible; the message says what to do */
+    /**
+     * Writes the file, entirely or not at all.
+     *
+     * @throws IOException if that is impossible; the message says what to do
+     */
     void write(String token) throws IOException {
         try {
             Path folder = path.toAbsolutePath().getParent();

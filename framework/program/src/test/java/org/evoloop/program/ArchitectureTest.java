@@ -12,6 +12,8 @@ import com.tngtech.archunit.lang.ArchRule;
 class ArchitectureTest {
     @ArchTest
     static final ArchRule librariesBelongToTheModulesBehindIt = noClasses()
+            .that()
+            .resideOutsideOfPackage("org.evoloop.program.prometheus")
             .should()
             .dependOnClassesThat()
             .resideOutsideOfPackages("org.evoloop..", "java..", "org.jspecify..", "org.slf4j..");

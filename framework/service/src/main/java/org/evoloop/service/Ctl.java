@@ -61,7 +61,11 @@ public final class Ctl {
         System.exit(run(List.of(arguments)));
     }
 
-    /** Runs the client. @return the exit status */
+    /**
+     * Runs the client.
+     *
+     * @return the exit status
+     */
     public static int run(List<String> arguments) {
         return new Ctl(
                         new Instances(System.getenv()),

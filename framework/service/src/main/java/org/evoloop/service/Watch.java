@@ -17,7 +17,11 @@ final class Watch {
 
     /** The command to be shown. */
     interface Command {
-        /** Prints the output. @return the exit status */
+        /**
+         * Prints the output.
+         *
+         * @return the exit status
+         */
         int print(PrintStream results) throws IOException;
     }
 

@@ -77,7 +77,11 @@ final class DeviceModel {
         return resolved == null ? null : model.transition(state, resolved).orElse(null);
     }
 
-    /** Puts it into another state, whatever its model says. @throws IllegalArgumentException if it has no such state */
+    /**
+     * Puts it into another state, whatever its model says.
+     *
+     * @throws IllegalArgumentException if it has no such state
+     */
     synchronized void put(String name) {
         State next = new State(name);
         if (!model.hasState(next)) {

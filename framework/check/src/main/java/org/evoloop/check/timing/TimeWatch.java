@@ -5,9 +5,9 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Set;
 import org.evoloop.check.temporal.Moment;
-import org.evoloop.engine.Sentry;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Sentry;
 import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 

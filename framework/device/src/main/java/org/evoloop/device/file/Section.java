@@ -48,7 +48,11 @@ public final class Section {
         this.problems = problems;
     }
 
-    /** The file as a section. @throws DeviceFileException if it cannot be read as sections */
+    /**
+     * The file as a section.
+     *
+     * @throws DeviceFileException if it cannot be read as sections
+     */
     public static Section read(Path file, Problems problems) {
         return new Section("", Yaml.read(file, problems), problems);
     }

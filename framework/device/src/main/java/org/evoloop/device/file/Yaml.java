@@ -50,7 +50,11 @@ final class Yaml {
         this.events = new ParserImpl(settings, new StreamReader(settings, text));
     }
 
-    /** The mapping that a file is. @throws DeviceFileException if it is none, or cannot be read */
+    /**
+     * The mapping that a file is.
+     *
+     * @throws DeviceFileException if it is none, or cannot be read
+     */
     static Node.Entries read(Path file, Problems problems) {
         return parse(text(file), problems);
     }

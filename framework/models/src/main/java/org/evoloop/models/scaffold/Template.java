@@ -14,7 +14,11 @@ final class Template {
 
     private Template() {}
 
-    /** The template {@code name}, filled in. @throws IllegalArgumentException if a placeholder has no value */
+    /**
+     * The template {@code name}, filled in.
+     *
+     * @throws IllegalArgumentException if a placeholder has no value
+     */
     static String fill(String name, Map<String, String> values) {
         return PLACE.matcher(text(name)).replaceAll(place -> {
             String value = values.get(place.group(1));

@@ -32,7 +32,6 @@ final class Ignored {
             "mainframe",
             "sprite",
             "url",
-            "newpage",
             "remove",
             "page");
     /** The PlantUML statements that end with a line {@code end WORD}, unless the text follows at once. */

@@ -40,6 +40,11 @@ final class Statements {
     /** The same at its end, where only a colon that a blank or a sign follows begins the label. */
     private static final Pattern COLON_OF_TARGET =
             Pattern.compile(":[\\p{L}\\p{N}_.]*+(?::[\\p{L}\\p{N}_.:]*+|(?=\\s*+(?:$|[#:]|<<|\\[\\[)))");
+    /** What PlantUML removes at the end of a line. */
+    private static final Pattern COMMENT_BEHIND = Pattern.compile("\\s/'(?:(?!'/).)*'/\\s*$");
+
+    private static final Pattern NEW_PAGE = Pattern.compile("(?i)newpage\\b.*");
+
     /** A line break in a label. */
     private static final Pattern BREAK = Pattern.compile("(?i)<br\\s*/?>|\\\\n");
 
@@ -76,7 +81,8 @@ final class Statements {
                 problems.add(number, "the line has " + text.length() + " letters; write shorter ones");
                 continue;
             }
-            Cursor line = new Cursor(text, number);
+            Cursor line = new Cursor(
+                    syntax == Syntax.PLANTUML ? COMMENT_BEHIND.matcher(text).replaceFirst("") : text, number);
             try {
                 while (line.hasMore()) {
                     if (!ignored.takes(line)) {
@@ -85,14 +91,23 @@ final class Statements {
                 }
             } catch (Refusal refusal) {
                 problems.add(number, refusal.text());
+                openAllTheSame(text, number);
             }
         }
         ignored.finish();
         return tree.chart(title);
     }
 
+    /** A refused state with contents is closed as well, and that is no second mistake. */
+    private void openAllTheSame(String text, int line) {
+        if (text.strip().endsWith("{") && text.strip().startsWith("state")) {
+            tree.open(tree.state("refused in line " + line, line, 1, Naming.DECLARED), line, 1);
+        }
+    }
+
     private void statement(Cursor line) throws Refusal {
         int column = line.column();
+        requireOnePage(line);
         if (SEPARATOR.matcher(line.ahead()).matches() && (syntax == Syntax.PLANTUML || !line.isAt("||"))) {
             if (syntax == Syntax.MERMAID && tree.scope().owner() == null) {
                 throw new Refusal(column, "Mermaid has regions in states only; write state NAME { before them");
@@ -109,6 +124,14 @@ final class Statements {
             throw notUnderstood(line);
         } else {
             transitionOrText(line);
+        }
+    }
+
+    /** @throws Refusal if another picture begins here, whose states are not those of this one */
+    private void requireOnePage(Cursor line) throws Refusal {
+        if (syntax == Syntax.PLANTUML && NEW_PAGE.matcher(line.ahead()).matches()) {
+            throw new Refusal(
+                    line.column(), "newpage begins another diagram; write each between its own @startuml and @enduml");
         }
     }
 

@@ -142,9 +142,22 @@ final class TextFile {
                     requireClosed(i, end, fence.group(1));
                     plantUml(i + 1, end, heading);
                 }
+                case "" -> noLanguage(i, end);
                 default -> {}
             }
             i = end < 0 ? lines.size() : end;
+        }
+    }
+
+    /** A diagram in a block that says no language is not drawn by anybody, so it may be a mistake. */
+    private void noLanguage(int begin, int end) {
+        if (begin + 1 < (end < 0 ? lines.size() : end)) {
+            String first = lines.get(begin + 1);
+            boolean mermaid = first.strip().startsWith("stateDiagram");
+            if (mermaid || START.matcher(first).matches()) {
+                others.add("a diagram in a block without a language" + line(begin) + "; write "
+                        + lines.get(begin).strip() + (mermaid ? "mermaid" : "plantuml"));
+            }
         }
     }
 

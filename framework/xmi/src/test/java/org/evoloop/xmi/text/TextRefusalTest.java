@@ -44,6 +44,8 @@ class TextRefusalTest {
                 "A --> B : go [x | column 14: '[' belongs to no guard",
                 "A --> B : go x] / f | column 15: ']' has no '[' before it",
                 "A --> B : [x] go / f | column 11: '[' belongs to no guard",
+                "A : «device On | column 5: a keyword ends with » or >>",
+                "A : <<device On>> for air | column 5: a keyword ends with » or >> and has nothing beside it",
                 "A : / f | column 5: an internal transition needs an event",
                 "-- | column 1: Mermaid has regions in states only",
                 "state A { A --> B } | 'A' is named inside itself",
@@ -74,10 +76,19 @@ class TextRefusalTest {
                 "state c <<choice>>\\nc : entry / f | 'c' is a choice, in which nothing happens",
                 "/' comment | column 1: the comment /' has no end",
                 "skinparam state { | column 1: skinparam has no end",
+                "newpage | column 1: newpage begins another diagram; write each between its own @startuml and @enduml",
             })
     void plantUml(String line, String problem) {
         assertRefused(
                 "lamp.puml", "@startuml\n[*] --> Off\n" + line.replace("\\n", "\n") + "\n@enduml\n", "line ", problem);
+    }
+
+    @Test
+    void aRefusedStateIsClosedAllTheSame() {
+        String text = "stateDiagram-v2\nstate A what {\n[*] --> B\nstate C % {\n[*] --> D\n}\n}\n[*] --> A\n";
+        assertThat(refusal("F.mmd", text))
+                .contains("line 2: column 9:", "line 4: column 9:")
+                .doesNotContain("closes no state");
     }
 
     @Test
@@ -134,6 +145,8 @@ class TextRefusalTest {
                 "a.puml | @startuml\\nstart\\n:x;\\nstop\\n@enduml | is an activity diagram (line 1)",
                 "a.puml | @startmindmap\\n* a\\n@endmindmap | is a PlantUML diagram of kind mindmap (line 1)",
                 "a.puml | @startuml\\n[*] --> A | its diagram is not closed (line 1): write @enduml",
+                "a.md | # T\\n```\\nstateDiagram-v2\\nA --> B\\n``` | a diagram in a block without a language (line 2); write ```mermaid",
+                "a.md | ~~~\\n@startuml\\n[*] --> A\\n@enduml\\n~~~ | without a language (line 1); write ~~~plantuml",
                 "a.md | # Only text | holds no state diagram: write one in a block ```mermaid",
                 "a.md | ```mermaid\\nflowchart LR\\n``` | holds no state diagram, but a flowchart (line 2)",
                 "a.md | ```mermaid\\nstateDiagram-v2\\n | its block is not closed (line 1): write ``` behind",

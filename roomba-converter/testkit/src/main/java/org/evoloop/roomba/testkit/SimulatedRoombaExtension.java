@@ -163,12 +163,20 @@ public final class SimulatedRoombaExtension implements BeforeEachCallback, After
         return robot().state();
     }
 
-    /** Pulls the cable; the port disappears. @throws IllegalArgumentException if it is pulled already */
+    /**
+     * Pulls the cable; the port disappears.
+     *
+     * @throws IllegalArgumentException if it is pulled already
+     */
     public void unplug() {
         server().unplug();
     }
 
-    /** Plugs the cable in again. @throws IOException if no port is available */
+    /**
+     * Plugs the cable in again.
+     *
+     * @throws IOException if no port is available
+     */
     public void replug() throws IOException {
         server().replug();
     }

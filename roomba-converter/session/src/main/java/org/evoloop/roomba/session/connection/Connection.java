@@ -108,7 +108,11 @@ public final class Connection {
         return one.compareTo(other) >= 0 ? one : other;
     }
 
-    /** Opens the link for the first time. @throws LinkException if that cannot be done */
+    /**
+     * Opens the link for the first time.
+     *
+     * @throws LinkException if that cannot be done
+     */
     public void open() {
         open(this::plugIn);
     }
@@ -440,7 +444,11 @@ public final class Connection {
         });
     }
 
-    /** Sends bytes. @throws LinkException if the robot cannot be reached */
+    /**
+     * Sends bytes.
+     *
+     * @throws LinkException if the robot cannot be reached
+     */
     public void send(byte[] bytes) {
         if (state.phase() == Phase.DOWN) {
             throw new LinkException(Fault.HUNG_UP, state.trouble());

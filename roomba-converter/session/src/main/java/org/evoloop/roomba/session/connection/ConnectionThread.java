@@ -42,7 +42,11 @@ final class ConnectionThread {
         return made;
     }
 
-    /** Runs a task and waits for its end. @throws RuntimeException thrown by the task */
+    /**
+     * Runs a task and waits for its end.
+     *
+     * @throws RuntimeException thrown by the task
+     */
     void runAndWait(Runnable work) {
         try {
             CompletableFuture.runAsync(work, own).join();

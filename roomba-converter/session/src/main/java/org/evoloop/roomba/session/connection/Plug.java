@@ -47,7 +47,11 @@ final class Plug {
         return pluggings;
     }
 
-    /** Opens another link. @throws LinkException if that cannot be done */
+    /**
+     * Opens another link.
+     *
+     * @throws LinkException if that cannot be done
+     */
     Link open(int baud) {
         Link fresh = cable.apply(baud);
         link = fresh;
@@ -88,7 +92,11 @@ final class Plug {
         }
     }
 
-    /** Sends bytes. @throws LinkException if the robot cannot be reached */
+    /**
+     * Sends bytes.
+     *
+     * @throws LinkException if the robot cannot be reached
+     */
     void send(byte[] bytes) {
         Link current = link;
         if (current == null) {

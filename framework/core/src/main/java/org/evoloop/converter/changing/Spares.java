@@ -1,0 +1,56 @@
+package org.evoloop.converter.changing;
+
+import static java.util.Objects.requireNonNull;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Supplier;
+import org.evoloop.loop.Component;
+
+/**
+ * Spare components, ready to replace others.
+ *
+ * <p>Threading: thread-safe; listing them does not wait for a change of the converter.
+ */
+final class Spares {
+    private final Map<String, Supplier<? extends Component>> byName = new LinkedHashMap<>();
+
+    /** @throws IllegalStateException if the name is taken */
+    void add(String name, Supplier<? extends Component> spare) {
+        requireNonNull(name, "the name of a spare is null");
+        requireNonNull(spare, "the spare " + name + " is null");
+        synchronized (byName) {
+            if (byName.putIfAbsent(name, spare) != null) {
+                throw new IllegalStateException("there is a spare named " + name + " already");
+            }
+        }
+    }
+
+    /**
+     * Makes the component of this name.
+     *
+     * @throws IllegalArgumentException if there is none; the message lists the names
+     */
+    Component make(String name) {
+        Supplier<? extends Component> supplier;
+        synchronized (byName) {
+            supplier = byName.get(name);
+        }
+        if (supplier == null) {
+            Set<String> names = names();
+            throw new IllegalArgumentException("no spare is named " + name + "; there are "
+                    + (names.isEmpty() ? "none" : String.join(", ", names)));
+        }
+        return requireNonNull(supplier.get(), "the spare " + name + " is null");
+    }
+
+    /** In the order in which they were added. */
+    Set<String> names() {
+        synchronized (byName) {
+            return Collections.unmodifiableSet(new LinkedHashSet<>(byName.keySet()));
+        }
+    }
+}
