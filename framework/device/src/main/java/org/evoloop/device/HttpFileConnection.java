@@ -42,7 +42,14 @@ final class HttpFileConnection extends Connection {
         this.base = base;
         this.models = models;
         this.headers = new LinkedHashMap<>();
-        section.pairs("headers").forEach((key, value) -> headers.put(key.value(), value.value()));
+        section.pairs("headers").forEach((key, value) -> {
+            try {
+                HttpCall.get("http://any").header(key.value(), value.value());
+                headers.put(key.value(), value.value());
+            } catch (IllegalArgumentException refused) {
+                section.problems().at(key, String.valueOf(refused.getMessage()));
+            }
+        });
         this.within = section.duration("within").orElse(Duration.ofSeconds(2));
         this.every = section.period("every").orElse(Duration.ofSeconds(5));
         this.downAfter = section.number("down-after", 1, 1000).orElse(3);
@@ -63,7 +70,8 @@ final class HttpFileConnection extends Connection {
     private HttpCall call(String text, String body) {
         Matcher parts = CALL.matcher(text);
         if (!parts.matches()) {
-            throw new IllegalArgumentException("'" + text + "' is no request; write one such as POST /power");
+            throw new IllegalArgumentException(
+                    "'" + text.replaceFirst("[?].*", "?...") + "' is no request; write one such as POST /power");
         }
         String address = (base == null ? "http://refused" : base) + parts.group("path");
         HttpCall call = switch (parts.group("method")) {
@@ -84,11 +92,21 @@ final class HttpFileConnection extends Connection {
 
     @Override
     public void send(Node.Text event, Section how) {
+        request(how).ifPresent(call -> calls.put(event.value(), call));
+    }
+
+    @Override
+    public @Nullable Outward outward(Section action) {
+        HttpCall call = request(action).orElse(null);
+        return call == null ? null : values -> call.send(values, within);
+    }
+
+    private Optional<HttpCall> request(Section how) {
         String body = how.text("body").map(Node.Text::value).orElse("");
-        how.require("call");
         UnaryOperator<HttpCall> accepting =
                 how.value("accepted", HttpFileConnection::statuses).orElse(UnaryOperator.identity());
-        how.value("call", text -> call(text, body)).ifPresent(call -> calls.put(event.value(), accepting.apply(call)));
+        how.require("call");
+        return how.value("call", text -> call(text, body)).map(accepting);
     }
 
     private static UnaryOperator<HttpCall> statuses(String text) {

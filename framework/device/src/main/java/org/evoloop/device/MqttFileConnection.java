@@ -58,10 +58,14 @@ final class MqttFileConnection extends Connection {
 
     static MqttFileConnection read(String name, Section section, FileModels models) {
         BrokerAddress address = section.value("mqtt", BrokerAddress::parse).orElse(null);
-        Optional<String> password = section.value(
-                "password-file", file -> Secret.read(section.problems().file().resolveSibling(file)));
-        if (address != null && password.isPresent()) {
-            address = address.withPassword(password.get());
+        BrokerAddress given = address;
+        if (given != null) {
+            // The address may name no user.
+            address = section.value(
+                            "password-file",
+                            file -> given.withPassword(
+                                    Secret.read(section.problems().file().resolveSibling(file))))
+                    .orElse(given);
         }
         MqttFileConnection connection = new MqttFileConnection(
                 name, address, topic(section, "command-topic"), topic(section, "state-topic"), models);

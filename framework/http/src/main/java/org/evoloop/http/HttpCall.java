@@ -1,7 +1,9 @@
 package org.evoloop.http;
 
+import java.io.IOException;
 import java.net.URI;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
@@ -113,6 +115,18 @@ public record HttpCall(
 
     boolean accepts(int status) {
         return status >= lowest && status <= highest;
+    }
+
+    /**
+     * Sends it, and waits for the answer.
+     *
+     * @param values for the places in address and body
+     * @param limit the time limit for the answer
+     * @throws IOException if there is none, or its status is not accepted
+     * @throws IllegalArgumentException if a value is missing
+     */
+    public void send(Values values, Duration limit) throws IOException, InterruptedException {
+        new Caller(limit).call(with(values), reply -> "");
     }
 
     boolean isSecure() {
