@@ -552,7 +552,7 @@ inline enter_again(kind_) {
   if
   :: over && open && !(waiting > 0 && line[0].attempts > 0) && !SETTLING && !IS_ELSEWHERE ->
     if
-    :: kind_ == EVOLVED -> enter_as_left()
+    :: kind_ == EVOLVED && WHAT_RUNS != SOMEWHERE -> enter_as_left()
     :: else -> enter()
     fi
   :: else -> skip

@@ -195,7 +195,8 @@ final class Ledger {
      * Where the device is elsewhere than the state needs it, the new model follows instead; an urgent event is decided
      * before that.
      *
-     * @param after the occurrence that has ended; after a takeover the timers keep their remaining time
+     * @param after the occurrence that has ended; after a takeover the timers keep their remaining time, unless they had
+     *     to wait until the device was where the state needs it
      */
     boolean enterAgain(Occurrence after) {
         boolean again = stay.isOver()
@@ -204,12 +205,13 @@ final class Ledger {
                 && nextUrgent() == null
                 && !isSettling()
                 && isWhereNeeded();
-        if (again && after instanceof Occurrence.Evolved) {
+        boolean tookOver = after instanceof Occurrence.Evolved;
+        if (again && tookOver && !rules.table().needsDevice(place.at().evolved())) {
             enterAsLeft();
         } else if (again) {
             enter(stay.by(), Set.of());
         }
-        return again && !(after instanceof Occurrence.Evolved);
+        return again && !tookOver;
     }
 
     /**

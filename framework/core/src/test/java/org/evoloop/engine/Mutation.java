@@ -68,7 +68,7 @@ enum Mutation implements Removal {
                     (Occurrence.Heard) before.waiting().get(0).occurrence();
             Occurrence.Heard now = (Occurrence.Heard) ((Input.Observed) input).occurrence();
             State from = before.at().original();
-            Step own = scene.rules().table().ownStep(from, now.event(), earlier.holding()::contains);
+            Step own = scene().rules().table().ownStep(from, now.event(), earlier.holding()::contains);
             return Snapshots.at(after, after.at().withOriginal(own == null ? from : own.target()));
         }
     },
@@ -77,7 +77,7 @@ enum Mutation implements Removal {
         public Snapshot undo(Snapshot before, Input input, Snapshot after) {
             State there = after.at().original();
             State forgetful =
-                    scene.rules().table().models().original().alike(there).get(0);
+                    scene().rules().table().models().original().alike(there).get(0);
             return isFact(input) ? Snapshots.at(after, after.at().withOriginal(forgetful)) : after;
         }
     },
@@ -422,48 +422,6 @@ enum Mutation implements Removal {
             return input instanceof Input.Observed ? Snapshots.sure(after) : after;
         }
     },
-    A_DEVICE_ELSEWHERE_IS_NOT_FOLLOWED("stuck", DeviceStateScenes.fan().with(1, Act.PRESS, Act.FAIL)) {
-        @Override
-        public Snapshot undo(Snapshot before, Input input, Snapshot after) {
-            return Snapshots.followOwed(after, before.followOwed());
-        }
-    },
-    A_START_THAT_HAS_TO_WAIT_IS_FORGOTTEN("function", DeviceStateScenes.fan().with(1, Act.PRESS, Act.GIVE_UP)) {
-        @Override
-        public Snapshot undo(Snapshot before, Input input, Snapshot after) {
-            return Snapshots.visit(after, Snapshots.owingNoStart(after.visit()));
-        }
-    },
-    A_DOUBT_FORGETS_ITS_DECISION("interrupted", DeviceStateScenes.fan().with(1, Act.PRESS, Act.END)) {
-        @Override
-        public Snapshot ahead(Snapshot before, Input input) {
-            return input instanceof Input.Located ? Snapshots.forgettingItsDecision(before) : before;
-        }
-    },
-    A_QUESTION_FORGETS_WHAT_A_REPORT_COMPLETES(
-            "interrupted", DeviceStateScenes.fan().with(1, Act.PRESS, Act.END, Act.JUMP)) {
-        @Override
-        public Snapshot undo(Snapshot before, Input input, Snapshot after) {
-            boolean isAsked =
-                    before.work() != null && before.work().pending().occurrence() instanceof Occurrence.InDoubt;
-            boolean isReported = after.doubt() != null && after.doubt().settled();
-            return input instanceof Input.Planned && isAsked && isReported
-                    ? Snapshots.forgettingItsDecision(after)
-                    : after;
-        }
-    },
-    WHAT_IS_DECIDED_AGAIN_IS_TAKEN_FOR_ANOTHER_PRESS(
-            "another", DeviceStateScenes.air().outOfOrder().with(2, Act.PRESS).with(1, Act.JUMP)) {
-        @Override
-        public Snapshot undo(Snapshot before, Input input, Snapshot after) {
-            Doubt doubt = after.doubt();
-            boolean waits = doubt != null
-                    && doubt.settled()
-                    && after.waiting().stream().anyMatch(pending -> pending.number() == doubt.number());
-            boolean isWhereNeeded = scene.rules().table().isWhereNeeded(after.at());
-            return Snapshots.followOwed(after, after.followOwed() || (waits && !isWhereNeeded));
-        }
-    },
     WHAT_ENDS_IS_NOT_COUNTED("sum", Scene.bulb().with(1, Act.PRESS)) {
         @Override
         public Snapshot undo(Snapshot before, Input input, Snapshot after) {
@@ -471,15 +429,17 @@ enum Mutation implements Removal {
         }
     };
 
-    /** The word with which the violation begins. */
-    final String invariant;
-
-    /** The scene in which it is violated. */
-    final Scene scene;
+    private final String invariant;
+    private final Scene scene;
 
     Mutation(String invariant, Scene scene) {
         this.invariant = invariant;
         this.scene = scene;
+    }
+
+    @Override
+    public String invariant() {
+        return invariant;
     }
 
     @Override

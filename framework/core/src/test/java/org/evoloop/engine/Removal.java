@@ -8,7 +8,12 @@ import org.evoloop.evolution.Source;
 
 /** How a mechanism of the core is removed: what the core is given, and what becomes of its answer. */
 interface Removal {
-    /** Where it is removed. */
+    String name();
+
+    /** The word with which the violation begins. */
+    String invariant();
+
+    /** The scene in which the invariant is violated. */
     Scene scene();
 
     /** The core without the mechanism. */

@@ -14,6 +14,7 @@
  * <ul>
  *   <li>{@link org.evoloop.converter.attachment.ExecuteAccess.Host} and {@link org.evoloop.converter.attachment.DecisionHost}:
  *       what a component may ask of the converter.
+ *   <li>{@link org.evoloop.converter.attachment.UserCode}: calls what a user wrote, and contains what it throws.
  *   <li>{@link org.evoloop.converter.attachment.Endings}: tells a monitor how an occurrence ends.
  *   <li>{@link org.evoloop.converter.attachment.ExecuteAccess}, {@link org.evoloop.converter.attachment.MonitorAccess} and
  *       {@link org.evoloop.converter.attachment.KnowledgeAccess}: what the converter asks of them, but no user.

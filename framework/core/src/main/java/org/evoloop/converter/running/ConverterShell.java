@@ -106,7 +106,7 @@ public final class ConverterShell implements LoopListener<Occurrence> {
         this.loop = new MapeLoop<>(config, this, senders, new CoreIntake(driver, sentryFeed));
         senders.attach(loop::isStuck);
         executor.attach(loop::look);
-        visits.attach(loop);
+        visits.attach(loop, records.listeners().endings());
         sentryFeed.attach(driver, loop::offer);
         adopt(first);
     }

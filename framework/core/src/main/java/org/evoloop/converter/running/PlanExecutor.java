@@ -2,6 +2,7 @@ package org.evoloop.converter.running;
 
 import org.evoloop.converter.UnknownEffectException;
 import org.evoloop.converter.attachment.ExecuteAccess;
+import org.evoloop.converter.attachment.UserCode;
 import org.evoloop.converter.recording.Records;
 import org.evoloop.engine.Input;
 import org.evoloop.engine.Inputs;
@@ -225,11 +226,10 @@ final class PlanExecutor implements ExecuteAccess.Host {
         runningEffect = effect;
         WorkEvent work = WorkEvent.begun();
         try {
-            knowledge.bindings().run(effect, occurrence.values());
-            return "";
-        } catch (InterruptedException stop) {
-            throw stop;
-        } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {
+            Throwable cause = UserCode.call(() -> knowledge.bindings().run(effect, occurrence.values()));
+            if (cause == null) {
+                return "";
+            }
             Failure<Occurrence> failure = new Failure<>(execute.name(), "effect " + effect, 0, occurrence, cause);
             records.failures().fault("effect " + effect, failure);
             return failure.toString();
@@ -257,10 +257,9 @@ final class PlanExecutor implements ExecuteAccess.Host {
     /** Returns what {@code execute} threw; null if it has settled. */
     private static @Nullable Throwable settle(ExecuteAccess execute, Output.Settle settle) {
         try {
-            execute.settled(settle.now());
-            return null;
-        } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {
-            return cause;
+            return UserCode.call(() -> execute.settled(settle.now()));
+        } catch (InterruptedException stop) {
+            return stop;
         }
     }
 
