@@ -13,7 +13,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import org.evoloop.converter.ConverterListener;
 import org.evoloop.converter.ConverterStatus;
 import org.evoloop.converter.HistoryEntry;
-import org.evoloop.converter.PressOutcome;
+import org.evoloop.evolution.EventOutcome;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.Occurrence;
@@ -140,18 +140,18 @@ public final class ConverterDevice implements LearnedDevice {
 
     private Reply send(String event) throws InterruptedException {
         sent++;
-        PressOutcome outcome = submit(event);
+        EventOutcome outcome = submit(event);
         since = clock.nanoTime();
         if (outcome.isHandled()) {
             return Reply.ACCEPTED;
         }
-        if (outcome instanceof PressOutcome.Failed failed) {
+        if (outcome instanceof EventOutcome.Failed failed) {
             return failed.why().contains("unknown") ? Reply.UNANSWERED : Reply.REFUSED;
         }
         throw new DisturbedException(event + ": " + outcome);
     }
 
-    private PressOutcome submit(String event) throws InterruptedException {
+    private EventOutcome submit(String event) throws InterruptedException {
         ConverterStatus.LinkStatus link = converter.status().link();
         long begin = clock.nanoTime();
         while (link != null && !link.up()) {
@@ -161,7 +161,7 @@ public final class ConverterDevice implements LearnedDevice {
             clock.sleep(TICK);
             link = converter.status().link();
         }
-        CompletableFuture<PressOutcome> outcome = buttons.submit(event);
+        CompletableFuture<EventOutcome> outcome = buttons.submit(event);
         while (!outcome.isDone()) {
             if (clock.nanoTime() - begin > PATIENCE.toNanos()) {
                 throw new LostException("the device does not take " + event + " within " + PATIENCE.toSeconds()
