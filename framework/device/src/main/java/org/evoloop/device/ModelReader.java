@@ -1,17 +1,14 @@
 package org.evoloop.device;
 
 import java.nio.file.Path;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Problems;
 import org.evoloop.device.file.Section;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.StateMachine;
-import org.evoloop.statemachine.StateMachineBuilder;
 import org.evoloop.xmi.ModelReference;
 import org.jspecify.annotations.Nullable;
 
@@ -22,8 +19,6 @@ import org.jspecify.annotations.Nullable;
  * @param references the original and the new model; none if the file names none
  */
 record ModelReader(@Nullable ModelPair known, List<ModelReference> references) {
-    private static final String ONLY_STATE = "Any";
-
     /** Reads the section {@code models} of {@code file}. */
     static ModelReader read(Section file, Problems problems) {
         Section models = file.section("models").orElse(null);
@@ -68,16 +63,8 @@ record ModelReader(@Nullable ModelPair known, List<ModelReference> references) {
         return ModelReference.parse(file.resolveSibling(written.value()).toString());
     }
 
-    /** The models; if the file has none, one state with a loop for each event that the file names. */
+    /** The models; if the file has none, those that assume nothing. */
     ModelPair pair(FileModels models) {
-        if (known != null) {
-            return known;
-        }
-        StateMachineBuilder machine = StateMachine.named("original").initial(ONLY_STATE);
-        Set<String> events = new LinkedHashSet<>(models.allSent());
-        events.addAll(models.allDevicesOwn());
-        events.forEach(event -> machine.transition(ONLY_STATE, event, ONLY_STATE));
-        StateMachine any = machine.build();
-        return new ModelPair(any, any.withName("new"));
+        return known != null ? known : models.free();
     }
 }
