@@ -145,7 +145,7 @@ public final class AnswerLog implements AutoCloseable {
     }
 
     private static Answer answer(List<String> line) {
-        if (line.size() == 1 || line.size() % FIELDS != 1) {
+        if (line.size() % FIELDS != 1) {
             throw new IllegalArgumentException("fields are missing");
         }
         List<Step> steps = new ArrayList<>();

@@ -17,6 +17,9 @@ import org.jspecify.annotations.Nullable;
 
 /** Answers the learner's questions, from the tree where it can. */
 final class Answers implements MealyMembershipOracle<String, String> {
+    /** An input that asks what the device shows. It costs nothing: each answer says that already. */
+    static final String LOOK = " ";
+
     /** How often a question is put again to settle a contradiction. */
     private static final int MOST_VOTES = 9;
 
@@ -75,6 +78,11 @@ final class Answers implements MealyMembershipOracle<String, String> {
             Node node = tree.root();
             int known = 0;
             for (String input : inputs) {
+                if (input.equals(LOOK) && rootIsKnown) {
+                    outputs.append(node.shown());
+                    known++;
+                    continue;
+                }
                 Edge edge = node.edge(input);
                 if (edge == null || (edge.seen() < needed && edge.heard().reply() != Heard.Reply.FORBIDDEN)) {
                     break;
@@ -91,13 +99,17 @@ final class Answers implements MealyMembershipOracle<String, String> {
                 throw new OpenEndException("no two answers are the same after " + names(inputs));
             }
             List<String> word = new ArrayList<>(node.path());
-            word.addAll(inputs.subList(known, inputs.size()));
+            word.addAll(withoutLooks(inputs.subList(known, inputs.size())));
             ask(word);
         }
     }
 
-    /** Makes sure that the answer to the last of {@code inputs} was heard more than once. */
-    void confirm(List<String> inputs) {
+    /** Makes sure that the answer to the last of {@code example} was heard more than once. */
+    void confirm(List<String> example) {
+        List<String> inputs = withoutLooks(example);
+        if (inputs.isEmpty()) {
+            return;
+        }
         Node node = tree.at(inputs.subList(0, inputs.size() - 1));
         String last = inputs.get(inputs.size() - 1);
         Edge edge = node == null ? null : node.edge(last);
@@ -106,6 +118,10 @@ final class Answers implements MealyMembershipOracle<String, String> {
             word.add(last);
             ask(word);
         }
+    }
+
+    private static List<String> withoutLooks(List<String> inputs) {
+        return inputs.stream().filter(input -> !input.equals(LOOK)).toList();
     }
 
     private void ask(List<String> word) {
@@ -196,7 +212,8 @@ final class Answers implements MealyMembershipOracle<String, String> {
         cuts++;
         AnswerTree.cut(node, input);
         if (edge.seen() >= WELL_KNOWN || cuts > MOST_CUTS) {
-            throw new OpenEndException("the device has changed while it was learned: after " + names(node.path()) + ", "
+            throw new OpenEndException("the device has changed while it was learned, or is unstable: after "
+                    + names(node.path()) + ", "
                     + name(input) + " was answered by '" + readable(edge.heard().output()) + "' (" + edge.seen()
                     + " times), and now by '" + readable(output) + "'; learn it again, with a new journal");
         }

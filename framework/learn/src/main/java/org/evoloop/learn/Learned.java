@@ -105,6 +105,9 @@ public record Learned(
         List<String> remarks = new ArrayList<>();
         for (int state = 0; state < machine.size(); state++) {
             for (int input = 0; input < machine.inputs().size(); input++) {
+                if (machine.inputs().get(input).equals(Answers.LOOK)) {
+                    continue;
+                }
                 List<Edge> all = seen.getOrDefault(key(machine, state, input), List.of());
                 if (all.isEmpty()) {
                     remarks.add(names.get(state) + ": "

@@ -50,6 +50,7 @@ public final class Learner {
             throw new IllegalArgumentException("there is nothing that may be sent to the device");
         }
         inputs.add(LearnedDevice.WAIT);
+        inputs.add(Answers.LOOK);
         this.settings = settings;
         this.session = new Session(device, rules, settings, clock);
         this.answers = new Answers(session, log);
@@ -129,6 +130,12 @@ public final class Learner {
 
     /** Something that was heard before, and that the hypothesis does not answer; null if there is nothing. */
     private @Nullable List<String> inTree(Mealy hypothesis, AnswerTree.Node node, int state) {
+        if (!hypothesis.outputs()[state][hypothesis.input(Answers.LOOK)].equals(node.shown())) {
+            List<String> example = node.path();
+            example.add(Answers.LOOK);
+            answers.confirm(example);
+            return example;
+        }
         for (Map.Entry<String, AnswerTree.Edge> next : node.edges().entrySet()) {
             int input = hypothesis.input(next.getKey());
             AnswerTree.Edge edge = next.getValue();

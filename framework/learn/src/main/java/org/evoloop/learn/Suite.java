@@ -47,7 +47,11 @@ final class Suite {
 
     private static int cost(Collection<String> word) {
         return word.stream()
-                .mapToInt(input -> input.equals(LearnedDevice.WAIT) ? WAIT_COST : 1)
+                .mapToInt(input -> switch (input) {
+                    case LearnedDevice.WAIT -> WAIT_COST;
+                    case Answers.LOOK -> 0;
+                    default -> 1;
+                })
                 .sum();
     }
 
@@ -120,7 +124,7 @@ final class Suite {
     /** The words, first those that look for few states more. */
     List<List<String>> words(int depth) {
         List<String> presses = machine.inputs().stream()
-                .filter(input -> !input.equals(LearnedDevice.WAIT))
+                .filter(input -> !input.equals(LearnedDevice.WAIT) && !input.equals(Answers.LOOK))
                 .toList();
         Map<Integer, Set<List<String>>> levels = new HashMap<>();
         List<List<String>> middles = List.of(List.of());

@@ -17,6 +17,9 @@
  * once. An input that leaves the device alone (a wait in which nothing happens, an input that a rule forbids) leads back to
  * the same node of the tree, so that nothing is asked twice behind it.
  *
+ * <p>States that show different things are different: what the device shows is an input of its own, which costs nothing, since
+ * every answer says it.
+ *
  * <p>If the device contradicts the tree, the question is put again until a vote decides. If the tree was wrong, it is cut
  * there, and the learner begins again from the tree, which costs no press. A process that was killed begins again in the same
  * way: it asks the same words in the same order, and the file answers as far as it goes. An edge on which no vote decides is named, and learning ends.

@@ -1,0 +1,123 @@
+package org.evoloop.learn;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.time.Duration;
+import java.util.List;
+import org.evoloop.converter.PushMonitor;
+import org.evoloop.converter.StateKnowledge;
+import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.learn.LearnedDevice.DisturbedException;
+import org.evoloop.learn.LearnedDevice.LostException;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.StateMachineBuilder;
+import org.evoloop.testkit.SimulatedDevice;
+import org.evoloop.time.SystemClock;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** A simulated kettle behind a running converter that assumes nothing of it. */
+class ConverterDeviceTest {
+    private static final Duration SETTLE = Duration.ofMillis(5);
+    private static final StateMachine KETTLE = StateMachine.named("kettle")
+            .initial("Off")
+            .transition("Off", "power", "Warm")
+            .transition("Warm", "power", "Off")
+            .transition("Warm", "boil", "Hot")
+            .transition("Hot", "power", "Off")
+            .transition("Hot", "done", "Off")
+            .spontaneous("done")
+            .build();
+
+    private final SystemClock clock = new SystemClock();
+    private final SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("kettle", clock));
+    private final PushMonitor buttons = new PushMonitor("Learner");
+    private final SimulatedDevice kettle = SimulatedDevice.of(KETTLE)
+            .sends("power", "boil")
+            .buttons("done")
+            .answersLocate()
+            .build();
+
+    @BeforeEach
+    void run() {
+        StateMachineBuilder free = StateMachine.named("original").initial("Off");
+        for (String state : List.of("Off", "Warm", "Hot")) {
+            for (String event : List.of("power", "boil", "done", LookExecute.LOOK, LookExecute.SEEN)) {
+                free.transition(state, event, state);
+            }
+        }
+        StateMachine any = free.spontaneous("done").build();
+        converter.addMonitor(buttons);
+        converter.addExecute(new LookExecute());
+        kettle.addTo(converter, clock);
+        converter.addKnowledge(new StateKnowledge(new ModelPair(any, any.withName("new"))));
+        converter.build();
+        converter.start();
+    }
+
+    @AfterEach
+    void close() {
+        converter.close();
+        clock.close();
+    }
+
+    private ConverterDevice device(String home, String... resets) {
+        return new ConverterDevice(converter, buttons, home, List.of(resets), SETTLE);
+    }
+
+    @Test
+    void itIsLearnedThroughTheConverter() {
+        Learned learned = new Learner(
+                        device("Off", "power"),
+                        List.of("boil", "power"),
+                        LearnRules.NONE,
+                        new LearnSettings(Duration.ofMillis(20), Duration.ofMinutes(5), 1),
+                        clock,
+                        null,
+                        (states, words, elapsed) -> {})
+                .learn();
+
+        assertThat(learned.open()).isEmpty();
+        assertThat(learned.model("kettle").transitions())
+                .extracting(Object::toString)
+                .containsExactlyInAnyOrder(
+                        "Off --power--> Warm", "Warm --power--> Off", "Warm --boil--> Hot", "Hot --power--> Off");
+    }
+
+    @Test
+    void whatTheDeviceDoesEndsAWaitAndDisturbsAPress() throws InterruptedException {
+        ConverterDevice device = device("Off", "power");
+        device.reset();
+        device.press("power");
+        assertThat(device.press("boil").shown()).isEqualTo("Hot");
+        assertThat(device.sent()).isEqualTo(2);
+
+        kettle.actsAfter(Duration.ofMillis(50), "done");
+        Heard heard = device.await(Duration.ofSeconds(20));
+
+        assertThat(heard.acts()).containsExactly("done");
+        assertThat(heard.shown()).isEqualTo("Off");
+        assertThat(heard.after()).isGreaterThan(Duration.ofMillis(40));
+        assertThat(device.await(Duration.ofMillis(20)).reply()).isEqualTo(Heard.Reply.SILENT);
+    }
+
+    @Test
+    void whereAResetDoesNotLeadHomeAPersonIsAsked() throws InterruptedException {
+        assertThat(device("Off", "power").reset().shown()).isEqualTo("Off");
+        assertThatThrownBy(() -> device("Hot", "power").reset())
+                .isInstanceOf(LostException.class)
+                .hasMessageContaining("could not be brought to Hot by power");
+        assertThat(device("", "power").reset().shown()).isNotEmpty();
+    }
+
+    @Test
+    void anEventThatIsNotTakenIsNoAnswer() {
+        converter.stop();
+
+        assertThatThrownBy(() -> device("", "power").press("power")).isInstanceOf(DisturbedException.class);
+    }
+}
