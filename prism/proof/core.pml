@@ -206,8 +206,12 @@ inline find(state) {
 /* Only a question to the device comes before an event that waits to be decided again. */
 #define RETRY_WAITS (line[0].attempts > 0 || line[1].attempts > 0)
 
-/* Ledger.followIfApart: what waits to be decided again may have brought the device where it is. */
-inline follow_if_apart() { owed = owed || (!RETRY_WAITS && !STANDS_TOGETHER(device_at, system_at)) }
+/* Ledger.followUnless: what was in doubt and waits to be decided again may have brought the device where it is. */
+#define HOLDS(id_) (line[0].id == (id_) || line[1].id == (id_) || line[2].id == (id_))
+#define FOLLOW_UNLESS(together) owed = owed || (!(together) && !(doubt && HOLDS(doubt_id)))
+
+/* Ledger.followIfApart */
+inline follow_if_apart() { FOLLOW_UNLESS(STANDS_TOGETHER(device_at, system_at)) }
 
 /* DecisionTable.isWhereNeeded: whether a new state needs the device elsewhere. */
 #define NEEDS_IT_ELSEWHERE(device, system) elsewhere_table[IX(pair, device, system, 0)]
@@ -299,7 +303,7 @@ inline ended() {
   ended_count++
 #ifndef A_DEVICE_ELSEWHERE_IS_NOT_FOLLOWED
   ;
-  owed = owed || IS_ELSEWHERE
+  FOLLOW_UNLESS(!IS_ELSEWHERE)
 #endif
 }
 
@@ -548,7 +552,7 @@ inline enter_again(kind_) {
   if
   :: over && open && !(waiting > 0 && line[0].attempts > 0) && !SETTLING && !IS_ELSEWHERE ->
     if
-    :: kind_ == EVOLVED -> enter_as_left()
+    :: kind_ == EVOLVED && WHAT_RUNS != SOMEWHERE -> enter_as_left()
     :: else -> enter()
     fi
   :: else -> skip

@@ -160,7 +160,7 @@ inline planned(id_, plan_, start, system) {
 /* Conversion.reported: a report of the device's state may complete what was interrupted, as its answer does. */
 inline completes_by_report() {
   if
-  :: IS_REPORTED ->
+  :: IS_REPORTED && work.kind != IN_DOUBT ->
     if
 #ifndef A_DOUBT_FORGETS_ITS_DECISION
     :: work.kind == FOUND && KIND(plan) == RESYNCHRONIZATION && COMPLETES(device_at) -> plan = WITHOUT_STEPS(doubt_plan)

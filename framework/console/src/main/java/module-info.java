@@ -6,6 +6,7 @@ module org.evoloop.console {
     requires static org.jline.reader;
     requires static org.jline.terminal;
     requires transitive org.evoloop.core;
+    requires transitive org.evoloop.payload;
     requires org.slf4j;
 
     exports org.evoloop.console;

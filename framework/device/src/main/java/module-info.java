@@ -5,6 +5,7 @@ module org.evoloop.device {
     requires org.evoloop.check;
     requires org.evoloop.config;
     requires org.evoloop.console;
+    requires org.evoloop.gpio;
     requires org.evoloop.http;
     requires org.evoloop.line;
     requires org.evoloop.mqtt;
@@ -24,6 +25,7 @@ module org.evoloop.device {
     uses org.evoloop.device.ConnectionKind;
 
     provides org.evoloop.device.ConnectionKind with
+            org.evoloop.device.GpioKind,
             org.evoloop.device.HttpKind,
             org.evoloop.device.LineKind,
             org.evoloop.device.MqttKind,

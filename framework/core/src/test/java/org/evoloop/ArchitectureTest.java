@@ -2,9 +2,11 @@ package org.evoloop;
 
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 
 import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaCodeUnit;
 import com.tngtech.archunit.core.domain.JavaField;
 import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.core.importer.ImportOption;
@@ -27,6 +29,7 @@ import java.time.ZonedDateTime;
 import java.util.Random;
 import java.util.Timer;
 import java.util.UUID;
+import java.util.stream.Stream;
 import org.evoloop.loop.Component;
 
 /**
@@ -150,6 +153,38 @@ class ArchitectureTest {
     @ArchTest
     static final ArchRule noRoomsLeadInACircle =
             SlicesRuleDefinition.slices().matching("org.evoloop.(**)").should().beFreeOfCycles();
+
+    /** The packages that no module exports. */
+    private static final String[] HIDDEN = {
+        "org.evoloop.converter.attachment",
+        "org.evoloop.converter.binding",
+        "org.evoloop.converter.recording",
+        "org.evoloop.converter.running",
+        "org.evoloop.converter.changing",
+        "org.evoloop.function.visit",
+        "org.evoloop.flight"
+    };
+
+    @ArchTest
+    static final ArchRule usersCanNameWhatTheyCallAndGetBack =
+            classes().that().arePublic().and().resideOutsideOfPackages(HIDDEN).should(offerNothingHidden());
+
+    private static ArchCondition<JavaClass> offerNothingHidden() {
+        return new ArchCondition<>("offer nothing whose types are hidden") {
+            @Override
+            public void check(JavaClass item, ConditionEvents events) {
+                for (JavaCodeUnit each : item.getCodeUnits()) {
+                    boolean offered = each.getModifiers().contains(JavaModifier.PUBLIC)
+                            || each.getModifiers().contains(JavaModifier.PROTECTED);
+                    boolean hidden = Stream.concat(
+                                    each.getRawParameterTypes().stream(), Stream.of(each.getRawReturnType()))
+                            .anyMatch(resideInAnyPackage(HIDDEN));
+                    events.add(new SimpleConditionEvent(
+                            each, !offered || !hidden, each.getFullName() + " has a hidden type"));
+                }
+            }
+        };
+    }
 
     /** Whoever reads a file of these rooms need not have read another one that needs this one. */
     @ArchTest

@@ -12,7 +12,6 @@ import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.evolution.Step;
 import org.evoloop.gpio.GpioMonitor;
 import org.evoloop.gpio.OutputPin;
 import org.evoloop.gpio.PinOptions;
@@ -49,17 +48,7 @@ public final class LightBulb {
     }
 
     EventExecute execute() {
-        return new EventExecute("LampExecute") {
-            @Override
-            protected Set<String> sendableEvents() {
-                return Set.of("switch");
-            }
-
-            @Override
-            protected void send(Step step) {
-                change(() -> on = !on);
-            }
-        };
+        return EventExecute.of("LampExecute", Set.of("switch"), step -> change(() -> on = !on));
     }
 
     StateKnowledge knowledge(ModelPair models) {

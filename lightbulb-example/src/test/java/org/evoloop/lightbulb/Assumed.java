@@ -18,6 +18,7 @@ import org.evoloop.time.Clock;
 @SuppressWarnings("NullAway.Init") // they are compiled only
 abstract class Assumed {
     SystemEventConverter converter;
+    PushMonitor monitor;
     Console console;
     Clock clock;
     BrokerAddress address;

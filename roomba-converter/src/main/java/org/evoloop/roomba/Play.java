@@ -3,11 +3,11 @@ package org.evoloop.roomba;
 import java.time.Duration;
 import java.util.Locale;
 import java.util.function.BooleanSupplier;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import org.evoloop.converter.Evolution;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.payload.JsonRecord;
+import org.evoloop.payload.Part;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.Clock;
@@ -44,7 +44,9 @@ final class Play {
 
     /** Presses a button on the robot after all buttons are released. */
     Play robotButton(String event) throws InterruptedException, Unfulfilled {
-        await("the robot's buttons to be released", () -> world.execute("state").contains("\"pressed\":[]"));
+        await(
+                "the robot's buttons to be released",
+                () -> JsonRecord.of(world.execute("state")).texts("pressed").isEmpty());
         // The next press comes late enough for one frame to show the release.
         clock.sleep(RELEASE);
         String answer = world.execute("press " + event.toLowerCase(Locale.ROOT));
@@ -116,8 +118,6 @@ final class Play {
 
     /** A value of the robot's true state. */
     private String truth(String key) {
-        String state = world.execute("state");
-        Matcher value = Pattern.compile("\"" + key + "\":\"?([^,\"}]+)").matcher(state);
-        return value.find() ? value.group(1) : "";
+        return Part.at("/" + key).in(world.execute("state")).orElse("");
     }
 }

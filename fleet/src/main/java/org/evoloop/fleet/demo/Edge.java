@@ -26,6 +26,7 @@ import org.evoloop.fleet.stream.KafkaCluster;
 import org.evoloop.fleet.wire.Reading;
 import org.evoloop.fleet.wire.Topic;
 import org.evoloop.fleet.wire.Wire;
+import org.evoloop.payload.JsonRecord;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.StateMachine;
 import org.jspecify.annotations.Nullable;
@@ -128,10 +129,10 @@ final class Edge implements AutoCloseable {
         for (ConsumerRecord<String, byte[]> record : consumer.poll(limit)) {
             SimulatedLamp lamp = lamps.get(record.key());
             if (record.topic().equals(Topic.ROLLOUTS.of(fleet))) {
-                stopped = Reading.of(record.value()).text("stopped", "");
+                stopped = Reading.of(record.value()).record().text("stopped", "");
             } else if (record.topic().equals(Topic.DEAD_LETTERS.of(fleet))) {
                 counts.deadLetters++;
-                Reading letter = Reading.of(record.value());
+                JsonRecord letter = Reading.of(record.value()).record();
                 deadLetters.add(record.key() + ": " + letter.text("reason") + ", " + letter.text("detail"));
             } else if (lamp != null) {
                 take(record, lamp);
@@ -141,18 +142,19 @@ final class Edge implements AutoCloseable {
 
     private void take(ConsumerRecord<String, byte[]> record, SimulatedLamp lamp) {
         Reading reading = Reading.of(record.value());
+        JsonRecord members = reading.record();
         if (record.topic().equals(Topic.COMMANDS.of(fleet))) {
             obey(record.key(), lamp, reading.order());
         } else if (record.topic().equals(Topic.STATES.of(fleet))) {
-            lamp.shownAs(reading.text("model"), reading.text("device"), reading.text("system"));
-            reading.inner("timersMillis").ifPresent(timers -> lamp.due(timers.number("timeout")));
+            lamp.shownAs(members.text("model"), members.text("device"), members.text("system"));
+            members.inner("timersMillis").ifPresent(timers -> lamp.due(timers.number("timeout")));
         } else {
             counts.decisions++;
-            counts.switches += reading.text("occurrence", "").equals(SWITCH.name()) ? 1 : 0;
-            counts.failed += reading.text("outcome").equals("failed") ? 1 : 0;
-            if (reading.text("source", "").equals("timer")) {
+            counts.switches += members.text("occurrence", "").equals(SWITCH.name()) ? 1 : 0;
+            counts.failed += members.text("outcome").equals("failed") ? 1 : 0;
+            if (members.text("source", "").equals("timer")) {
                 counts.timers++;
-                lamp.fired(reading.number("atMillis"));
+                lamp.fired(members.number("atMillis"));
             }
         }
     }

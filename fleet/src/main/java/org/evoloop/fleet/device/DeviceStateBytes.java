@@ -1,67 +1,61 @@
 package org.evoloop.fleet.device;
 
-import java.nio.BufferUnderflowException;
-import java.nio.ByteBuffer;
-import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
+import java.util.List;
 import java.util.function.Function;
 import org.evoloop.engine.Rules;
+import org.evoloop.engine.codec.ByteItems;
+import org.evoloop.engine.codec.ByteWriter;
+import org.evoloop.engine.codec.CodecException;
 import org.evoloop.engine.codec.SnapshotBytes;
-import org.evoloop.engine.codec.SnapshotException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * {@link DeviceState} as a fleet stores it: the version of this format, a few numbers, then the snapshot's bytes. Stored
- * text ({@link DeviceStateText}) can be read, too.
+ * {@link DeviceState} as a fleet stores it: the version of this format, the models' version, a few numbers, then the snapshot's
+ * bytes.
+ *
+ * <p>Errors: bytes that are damaged, or name something that the models lack, are a {@link CodecException}.
  *
  * <p>Threading: thread-safe.
  *
  * @since 0.1
  */
 public final class DeviceStateBytes {
-    /** Differs from the first byte of any text. */
-    private static final byte VERSION = 1;
+    /** The version of this format. */
+    private static final int VERSION = 3;
 
-    /** The first byte of what remains of a removed device. */
-    private static final byte REMOVED = 2;
+    /** The first byte of what remains of a removed device, in this version of the format. */
+    private static final int REMOVED = 4;
 
-    private static final byte FIRST_OF_TEXT = 'e';
-    private static final int BITS = 7;
-    private static final int MORE = 1 << BITS;
-
-    /** The greatest lengths: of a number, and of everything except the models' version and the snapshot. */
-    private static final int NUMBER = 10;
-
-    private static final int MOST = 1 + 11 * NUMBER;
-
-    /** Enough for most snapshots, together with what the rest leaves. */
-    private static final int SNAPSHOT = 64;
-
-    private static final Order.Kind[] KINDS = {Order.Kind.SEND, Order.Kind.RUN, Order.Kind.LOCATE};
+    /** Their places are in the bytes. */
+    private static final List<Order.Kind> KINDS = List.of(Order.Kind.SEND, Order.Kind.RUN, Order.Kind.LOCATE);
 
     private DeviceStateBytes() {}
 
     /** The bytes of {@code state}. */
     public static byte[] write(DeviceState state) {
-        byte[] model = state.model().getBytes(StandardCharsets.UTF_8);
-        ByteBuffer bytes = ByteBuffer.allocate(MOST + model.length + SNAPSHOT);
-        bytes.put(VERSION);
-        put(bytes, model.length);
-        bytes.put(model);
-        put(bytes, state.sequence());
-        put(bytes, state.heard());
-        put(bytes, state.open());
-        put(bytes, state.lost());
-        return SnapshotBytes.write(bytes.array(), bytes.position(), state.snapshot());
+        ByteWriter bytes = new ByteWriter();
+        bytes.octet(VERSION).text(state.model()).number(state.sequence()).number(state.heard());
+        write(bytes, state.open());
+        write(bytes, state.lost());
+        SnapshotBytes.write(bytes, state.snapshot());
+        return bytes.written();
+    }
+
+    private static void write(ByteWriter bytes, Order.@Nullable Open order) {
+        bytes.truth(order != null);
+        if (order != null) {
+            bytes.number(order.sequence())
+                    .number(order.occurrence())
+                    .number(KINDS.indexOf(order.kind()))
+                    .number(order.deadlineNanos());
+        }
     }
 
     /** The bytes of what remains of a removed device. */
     public static byte[] write(Past past) {
-        ByteBuffer bytes = ByteBuffer.allocate(1 + 2 * NUMBER);
-        bytes.put(REMOVED);
-        put(bytes, past.sequence());
-        put(bytes, past.visit());
-        return Arrays.copyOf(bytes.array(), bytes.position());
+        ByteWriter bytes = new ByteWriter();
+        bytes.octet(REMOVED).number(past.sequence()).number(past.visit());
+        return bytes.written();
     }
 
     /** Whether {@code bytes} are those of a removed device. */
@@ -69,137 +63,41 @@ public final class DeviceStateBytes {
         return bytes.length > 0 && bytes[0] == REMOVED;
     }
 
-    /**
-     * What remains of the removed device with these bytes.
-     *
-     * @throws IllegalArgumentException if they are not such bytes
-     */
+    /** What remains of the removed device with these bytes. */
     public static Past past(byte[] bytes) {
-        if (!isRemoved(bytes)) {
-            throw damaged();
-        }
-        ByteBuffer numbers = ByteBuffer.wrap(bytes, 1, bytes.length - 1);
-        try {
-            return new Past(number(numbers), number(numbers));
-        } catch (BufferUnderflowException e) {
-            throw damaged();
-        }
+        ByteItems items = begun(bytes, REMOVED);
+        return new Past(items.number(), items.number());
     }
 
-    private static void put(ByteBuffer bytes, Order.@Nullable Open order) {
-        put(bytes, order == null ? 0 : order.sequence());
-        if (order != null) {
-            put(bytes, order.occurrence());
-            put(bytes, code(order.kind()));
-            put(bytes, order.deadlineNanos());
-        }
+    private static ByteItems begun(byte[] bytes, int version) {
+        ByteItems items = new ByteItems("state", bytes, 0);
+        items.requireVersion(items.octet(), version);
+        return items;
     }
 
-    private static int code(Order.Kind kind) {
-        for (int code = 0; code < KINDS.length; code++) {
-            if (KINDS[code] == kind) {
-                return code;
-            }
-        }
-        throw new IllegalStateException(kind + " has no number");
-    }
-
-    private static void put(ByteBuffer bytes, long number) {
-        long rest = number;
-        while ((rest & -MORE) != 0) {
-            bytes.put((byte) ((rest & (MORE - 1)) | MORE));
-            rest >>>= BITS;
-        }
-        bytes.put((byte) rest);
-    }
-
-    /**
-     * The version of the models in {@code bytes}.
-     *
-     * @throws IllegalArgumentException if they are not such bytes, or those of another version
-     */
+    /** The version of the models in {@code bytes}. */
     public static String model(byte[] bytes) {
-        return isText(bytes) ? DeviceStateText.model(bytes) : model(begun(bytes));
-    }
-
-    private static boolean isText(byte[] bytes) {
-        return bytes.length > 0 && bytes[0] == FIRST_OF_TEXT;
-    }
-
-    private static ByteBuffer begun(byte[] bytes) {
-        if (bytes.length == 0 || bytes[0] != VERSION) {
-            String found = bytes.length == 0 ? "nothing" : "version " + bytes[0];
-            throw new IllegalArgumentException(
-                    found + " cannot be read, only version " + VERSION + "; use the version of Evoloop that wrote it");
-        }
-        return ByteBuffer.wrap(bytes, 1, bytes.length - 1);
-    }
-
-    private static String model(ByteBuffer bytes) {
-        try {
-            long length = number(bytes);
-            if (length < 0 || length > bytes.remaining()) {
-                throw damaged();
-            }
-            byte[] model = new byte[(int) length];
-            bytes.get(model);
-            return new String(model, StandardCharsets.UTF_8);
-        } catch (BufferUnderflowException e) {
-            throw damaged();
-        }
-    }
-
-    private static IllegalArgumentException damaged() {
-        return new IllegalArgumentException("the bytes are damaged");
+        return begun(bytes, VERSION).text();
     }
 
     /**
      * Reads {@code bytes}.
      *
      * @param rules gives the rules of a version of models
-     * @throws IllegalArgumentException if they are not such bytes
-     * @throws SnapshotException if they name something that the models lack
      */
     public static DeviceState read(Function<String, Rules> rules, byte[] bytes) {
-        if (isText(bytes)) {
-            return DeviceStateText.read(rules.apply(DeviceStateText.model(bytes)), bytes);
-        }
-        ByteBuffer head = begun(bytes);
-        String model = model(head);
-        try {
-            long sequence = number(head);
-            long heard = number(head);
-            Order.Open open = order(head);
-            Order.Open lost = order(head);
-            return new DeviceState(
-                    model, sequence, heard, open, lost, SnapshotBytes.read(rules.apply(model), bytes, head.position()));
-        } catch (BufferUnderflowException e) {
-            throw damaged();
-        }
+        ByteItems items = begun(bytes, VERSION);
+        String model = items.text();
+        long sequence = items.number();
+        long heard = items.number();
+        Order.Open open = order(items);
+        Order.Open lost = order(items);
+        return new DeviceState(model, sequence, heard, open, lost, SnapshotBytes.read(rules.apply(model), items));
     }
 
-    private static Order.@Nullable Open order(ByteBuffer bytes) {
-        long sequence = number(bytes);
-        if (sequence == 0) {
-            return null;
-        }
-        long occurrence = number(bytes);
-        long code = number(bytes);
-        if (code < 0 || code >= KINDS.length) {
-            throw damaged();
-        }
-        return new Order.Open(sequence, occurrence, KINDS[(int) code], number(bytes));
-    }
-
-    private static long number(ByteBuffer bytes) {
-        long number = 0;
-        for (int shift = 0; shift < Long.SIZE; shift += BITS) {
-            int octet = bytes.get() & 0xff;
-            number |= (long) (octet & (MORE - 1)) << shift;
-            if (octet < MORE) {
-                return number;
-            }
-        }
-        throw damaged();
+    private static Order.@Nullable Open order(ByteItems items) {
+        return items.truth()
+                ? new Order.Open(items.number(), items.number(), items.oneOf(KINDS), items.number())
+                : null;
     }
 }

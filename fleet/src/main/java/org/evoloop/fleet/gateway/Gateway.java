@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
@@ -41,6 +42,8 @@ import org.evoloop.mqtt.BrokerConnection;
 import org.evoloop.mqtt.Message;
 import org.evoloop.mqtt.edge.Carried;
 import org.evoloop.mqtt.edge.Outbox;
+import org.evoloop.payload.JsonObject;
+import org.evoloop.payload.JsonRecord;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -133,16 +136,17 @@ public final class Gateway implements AutoCloseable {
      * current one.
      */
     private void store(Topic topic, String device, Message message) {
-        String payload = message.payload().strip();
-        String record = payload.startsWith("{") && !payload.contains("\"atMillis\"")
-                ? "{\"atMillis\":" + System.currentTimeMillis() + ',' + payload.substring(1)
-                : payload;
-        long number = number(record, "number");
+        Optional<JsonRecord> read = read(message.payload());
+        String record = read.filter(each -> !each.has("atMillis"))
+                .map(each ->
+                        each.copy().put("atMillis", System.currentTimeMillis()).toString())
+                .orElse(message.payload());
+        long number = number(read, "number");
         if (number == 0 && topic == Topic.OCCURRENCES && message.kind() == Message.Kind.STATE) {
             LOG.warn("a retained record on {} is ignored: it comes again with every connection", message.topic());
             return;
         }
-        if (isEarlierMissing(device, number, record)) {
+        if (isEarlierMissing(device, number, read)) {
             LOG.debug("record {} of {} is not stored: it comes again after those before it", number, device);
             return;
         }
@@ -159,7 +163,7 @@ public final class Gateway implements AutoCloseable {
      * Whether a record before this one is missing, such as one that was published before this gateway had subscribed:
      * its number is not the next, and the device says that it still has an earlier one to report.
      */
-    private boolean isEarlierMissing(String device, long number, String record) {
+    private boolean isEarlierMissing(String device, long number, Optional<JsonRecord> record) {
         if (number <= kept.getOrDefault(device, 0L) + 1) {
             return false;
         }
@@ -175,15 +179,30 @@ public final class Gateway implements AutoCloseable {
     private void acknowledge(String device, long number) {
         if (number > 0) {
             kept.merge(device, number, Math::max);
-            mqtt.publish(Message.command(topic(device, "kept"), "{\"schema\":1,\"number\":" + number + '}'));
+            mqtt.publish(Message.command(
+                    topic(device, "kept"),
+                    new JsonObject()
+                            .put("schema", Wire.SCHEMA)
+                            .put("number", number)
+                            .toString()));
+        }
+    }
+
+    /** Nothing if it is not JSON; it will become a dead letter. */
+    private static Optional<JsonRecord> read(String record) {
+        try {
+            return Optional.of(JsonRecord.of(record));
+        } catch (IllegalArgumentException unreadable) {
+            LOG.debug("a device has sent an invalid record", unreadable);
+            return Optional.empty();
         }
     }
 
     /** A number in the record; 0 if it has none, or is invalid and will become a dead letter. */
-    private static long number(String record, String member) {
+    private static long number(Optional<JsonRecord> record, String member) {
         try {
-            return Reading.ofAnySchema(record.getBytes(StandardCharsets.UTF_8)).number(member, 0);
-        } catch (Refusal unreadable) {
+            return record.map(each -> each.number(member, 0)).orElse(0L);
+        } catch (IllegalArgumentException unreadable) {
             LOG.debug("a device has sent an invalid record", unreadable);
             return 0;
         }
@@ -245,10 +264,11 @@ public final class Gateway implements AutoCloseable {
     }
 
     private static String numbered(Outbox.Entry entry) {
-        boolean counts = entry.topic().equals(Topic.OCCURRENCES.name())
-                && entry.record().startsWith("{")
-                && number(entry.record(), "number") == 0;
-        return counts ? "{\"number\":" + entry.number() + ',' + entry.record().substring(1) : entry.record();
+        Optional<JsonRecord> record =
+                entry.topic().equals(Topic.OCCURRENCES.name()) ? read(entry.record()) : Optional.empty();
+        return record.filter(each -> !each.has("number"))
+                .map(each -> each.copy().put("number", entry.number()).toString())
+                .orElse(entry.record());
     }
 
     private KafkaProducer<String, byte[]> producer() {

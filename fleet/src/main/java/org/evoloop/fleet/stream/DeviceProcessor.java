@@ -138,7 +138,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
             store(id, before, device, record.timestamp());
         } else {
             Occurrence occurrence = reading.occurrence();
-            long number = reading.number("number", 0);
+            long number = reading.record().number("number", 0);
             clock.requireLikely(occurrence.observedNanos());
             Device device = device(before);
             if (device.isNews(number)) {

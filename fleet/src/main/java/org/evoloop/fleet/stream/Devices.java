@@ -7,7 +7,7 @@ import org.apache.kafka.streams.KeyValue;
 import org.apache.kafka.streams.state.KeyValueIterator;
 import org.apache.kafka.streams.state.KeyValueStore;
 import org.evoloop.engine.Rules;
-import org.evoloop.engine.codec.SnapshotException;
+import org.evoloop.engine.codec.CodecException;
 import org.evoloop.fleet.device.Device;
 import org.evoloop.fleet.device.DeviceState;
 import org.evoloop.fleet.device.DeviceStateBytes;
@@ -85,7 +85,7 @@ final class Devices {
     private DeviceState read(byte[] bytes) {
         try {
             return DeviceStateBytes.read(version -> library.model(version).rules(), bytes);
-        } catch (SnapshotException | IllegalArgumentException e) {
+        } catch (CodecException | IllegalArgumentException e) {
             throw new Refusal(Refusal.Reason.UNUSABLE_STATE, "the stored state of the device: " + e.getMessage());
         }
     }
@@ -163,7 +163,7 @@ final class Devices {
     private static String version(byte[] bytes) {
         try {
             return DeviceStateBytes.model(bytes);
-        } catch (IllegalArgumentException unreadable) {
+        } catch (CodecException unreadable) {
             return "";
         }
     }

@@ -1,6 +1,7 @@
 package org.evoloop.fleet.wire;
 
 import java.util.Base64;
+import org.evoloop.payload.JsonRecord;
 
 /**
  * A record of {@link Topic#DEAD_LETTERS}: one that could not be processed, and why.
@@ -15,14 +16,14 @@ import java.util.Base64;
 @SuppressWarnings("ArrayRecordComponent") // nobody compares letters
 public record DeadLetter(String reason, String detail, String topic, byte[] record, boolean isWhole) {
     /** @throws Refusal if it is not a dead letter */
-    static DeadLetter read(Reading reading) {
+    static DeadLetter read(JsonRecord letter) {
         try {
             return new DeadLetter(
-                    reading.text("reason"),
-                    reading.text("detail"),
-                    reading.text("topic"),
-                    Base64.getDecoder().decode(reading.text("record")),
-                    reading.number("bytes", 0) == 0);
+                    letter.text("reason"),
+                    letter.text("detail"),
+                    letter.text("topic"),
+                    Base64.getDecoder().decode(letter.text("record")),
+                    letter.number("bytes", 0) == 0);
         } catch (IllegalArgumentException e) {
             throw new Refusal(Refusal.Reason.MALFORMED, "'record' is not in Base64");
         }

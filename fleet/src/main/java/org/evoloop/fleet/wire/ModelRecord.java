@@ -15,6 +15,8 @@ import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.fleet.device.Model;
+import org.evoloop.payload.JsonObject;
+import org.evoloop.payload.JsonRecord;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.Names;
@@ -72,7 +74,7 @@ public record ModelRecord(
     }
 
     /** Parses the result of {@link #bytes}. */
-    static ModelRecord of(Reading record) {
+    static ModelRecord of(JsonRecord record) {
         List<Timer> timers = record.each("timers").stream()
                 .map(timer -> new Timer(timer.text("state"), timer.text("event"), timer.number("millis")))
                 .toList();
@@ -86,39 +88,36 @@ public record ModelRecord(
                 (int) Math.max(0, Math.min(MOST_WAITING, record.number("queue", QUEUE))));
     }
 
-    private static Use use(Reading use) {
-        List<String> sends = use.texts("sends");
-        return new Use(use.text("state"), use.text("device", ""), sends == null ? List.of() : sends);
+    private static Use use(JsonRecord use) {
+        return new Use(use.text("state"), use.text("device", ""), use.texts("sends"));
     }
 
     /** The record. */
     public byte[] bytes() {
-        Json json = (uses.isEmpty() ? new Json() : new Json(USES))
-                .with("file", file)
-                .with("original", original)
-                .with("new", evolved)
-                .with("queue", queueCapacity);
-        json.beginList("timers");
-        for (Timer timer : timers) {
-            json.element()
-                    .with("state", timer.state)
-                    .with("event", timer.event)
-                    .with("millis", timer.millis)
-                    .end();
-        }
-        json.endList();
+        JsonObject json = Wire.record(uses.isEmpty() ? Wire.SCHEMA : USES)
+                .put("file", file)
+                .put("original", original)
+                .put("new", evolved)
+                .put("queue", queueCapacity)
+                .put(
+                        "timers",
+                        timers.stream()
+                                .map(timer -> new JsonObject()
+                                        .put("state", timer.state)
+                                        .put("event", timer.event)
+                                        .put("millis", timer.millis))
+                                .toList());
         if (!uses.isEmpty()) {
-            json.beginList("uses");
-            for (Use use : uses) {
-                json.element()
-                        .with("state", use.state)
-                        .withText("device", use.device)
-                        .with("sends", use.sends)
-                        .end();
-            }
-            json.endList();
+            json.put(
+                    "uses",
+                    uses.stream()
+                            .map(use -> new JsonObject()
+                                    .put("state", use.state)
+                                    .putSome("device", use.device)
+                                    .putTexts("sends", use.sends))
+                            .toList());
         }
-        return json.with("text", text).bytes();
+        return json.put("text", text).toBytes();
     }
 
     /**
@@ -132,7 +131,7 @@ public record ModelRecord(
                     Refusal.Reason.UNUSABLE_MODEL,
                     "'" + version + "' is not a version of models; use letters, digits, '.', '_' and '-', 100 at most");
         }
-        ModelRecord record = of(Reading.of(bytes, USES));
+        ModelRecord record = of(Reading.of(bytes, USES).record());
         try {
             return new Model(version, record.rules());
         } catch (ModelException e) {

@@ -1,10 +1,6 @@
 package org.evoloop.fleet.wire;
 
-import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.evoloop.evolution.Occurrence;
@@ -12,6 +8,8 @@ import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Values;
 import org.evoloop.fleet.device.Answer;
 import org.evoloop.fleet.device.Order;
+import org.evoloop.payload.JsonObject;
+import org.evoloop.payload.JsonRecord;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.State;
@@ -25,9 +23,6 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public final class Reading {
-    /** Whole doubles of a smaller magnitude fit in a long. */
-    private static final double MOST_WHOLE = 0x1p63;
-
     /** The characters of the longest name of an event, a state, a guard, an effect or a value. */
     private static final int LONGEST_NAME = 1_000;
 
@@ -38,9 +33,9 @@ public final class Reading {
     private static final Answer.Outcome[] OUTCOMES = Answer.Outcome.values();
     private static final Order.Kind[] KINDS = Order.Kind.values();
 
-    private final Members record;
+    private final JsonRecord record;
 
-    private Reading(Members record) {
+    private Reading(JsonRecord record) {
         this.record = record;
     }
 
@@ -59,12 +54,11 @@ public final class Reading {
      * @param newest the newest schema that is understood
      */
     static Reading of(byte @Nullable [] bytes, int newest) {
-        Reading reading = ofAnySchema(bytes);
-        Object written = reading.record.get("schema");
-        if (written == null || written == Members.NULL) {
+        JsonRecord record = ofAnySchema(bytes);
+        if (!record.has("schema")) {
             throw malformed("it has no schema; write \"schema\":" + Wire.SCHEMA);
         }
-        long schema = reading.number("schema");
+        long schema = record.number("schema");
         if (schema > newest) {
             throw new Refusal(
                     Refusal.Reason.NEWER_SCHEMA,
@@ -72,7 +66,7 @@ public final class Reading {
         } else if (schema < 1) {
             throw malformed("its schema is " + schema + ", which does not exist");
         }
-        return reading;
+        return new Reading(record);
     }
 
     /**
@@ -80,24 +74,35 @@ public final class Reading {
      *
      * @throws Refusal if it is not a JSON object
      */
-    public static Reading ofAnySchema(byte @Nullable [] bytes) {
-        if (bytes == null || !(JsonReader.read(bytes) instanceof Members members)) {
+    public static JsonRecord ofAnySchema(byte @Nullable [] bytes) {
+        if (bytes == null) {
             throw malformed("a JSON object was expected");
         }
-        return new Reading(members);
+        return JsonRecord.of(bytes, Reading::malformed);
+    }
+
+    /** Its members. Mistakes in them are refusals, too. */
+    public JsonRecord record() {
+        return record;
     }
 
     /** The occurrence in this record of {@link Topic#OCCURRENCES}. */
     public Occurrence occurrence() {
         long at = time("atMillis");
-        String kind = text("kind", "heard");
+        String kind = record.text("kind", "heard");
         try {
             return switch (kind) {
                 case "found" -> new Occurrence.Found(new State(name("state")), at);
                 case "asked" -> new Occurrence.Asked(new Event(name("event")), values(), visit(), at);
                 case "heard" ->
                     new Occurrence.Heard(
-                            new Event(name("event")), values(), source(), truth("deviceActed"), holding(), visit(), at);
+                            new Event(name("event")),
+                            values(),
+                            source(),
+                            record.truth("deviceActed"),
+                            holding(),
+                            visit(),
+                            at);
                 default ->
                     throw malformed(
                             "'" + kind + "' is not a kind of occurrence; the kinds are heard, found " + "and asked");
@@ -111,10 +116,10 @@ public final class Reading {
     public Answer answer() {
         try {
             return new Answer(
-                    number("sequence"),
+                    record.number("sequence"),
                     constant(OUTCOMES, "outcome"),
-                    text("reason", ""),
-                    record.get("state") == null ? null : new State(name("state")),
+                    record.text("reason", ""),
+                    !record.has("state") ? null : new State(name("state")),
                     time("atMillis"));
         } catch (ModelException e) {
             throw malformed(String.valueOf(e.getMessage()));
@@ -127,32 +132,32 @@ public final class Reading {
         boolean sends = kind == Order.Kind.SEND;
         String what = kind == Order.Kind.LOCATE ? "" : name(sends ? "event" : "effect");
         return new Order(
-                number("sequence"),
+                record.number("sequence"),
                 0,
                 kind,
                 what,
                 values(),
                 time("deadlineMillis"),
-                number("visit", 0),
-                truth("function"),
-                sends ? text("from", "") : "",
-                sends ? text("to", "") : "");
+                record.number("visit", 0),
+                record.truth("function"),
+                sends ? record.text("from", "") : "",
+                sends ? record.text("to", "") : "");
     }
 
     /** The dead letter in this record of {@link Topic#DEAD_LETTERS}; nothing if it is a mark. */
     public Optional<DeadLetter> deadLetter() {
-        return record.get("resent") == null ? Optional.of(DeadLetter.read(this)) : Optional.empty();
+        return !record.has("resent") ? Optional.of(DeadLetter.read(record)) : Optional.empty();
     }
 
     /** The mark in this record of {@link Topic#DEAD_LETTERS}; nothing if it is a letter. */
     public Optional<Resent> resent() {
-        return record.get("resent") == null
+        return !record.has("resent")
                 ? Optional.empty()
-                : Optional.of(new Resent(name("resent"), number("before")));
+                : Optional.of(new Resent(name("resent"), record.number("before")));
     }
 
     private Source source() {
-        Source source = record.get("source") == null ? Source.CONTROLLER : constant(SOURCES, "source");
+        Source source = !record.has("source") ? Source.CONTROLLER : constant(SOURCES, "source");
         if (source == Source.TIMER) {
             throw malformed("the source 'timer' is reserved for the fleet's own timers");
         }
@@ -160,9 +165,9 @@ public final class Reading {
     }
 
     private <E extends Enum<E>> E constant(E[] all, String name) {
-        String word = text(name);
+        String word = record.text(name);
         for (E each : all) {
-            if (Wire.word(each).equals(word)) {
+            if (JsonObject.word(each).equals(word)) {
                 return each;
             }
         }
@@ -170,96 +175,32 @@ public final class Reading {
     }
 
     private long visit() {
-        return number("visit", Occurrence.ANY_VISIT);
+        return record.number("visit", Occurrence.ANY_VISIT);
     }
 
     private Set<String> holding() {
-        List<String> texts = texts("holding");
-        if (texts == null || texts.isEmpty()) {
-            return Set.of();
-        }
+        List<String> texts = record.texts("holding");
         texts.forEach(guard -> requireShort("a guard in 'holding'", guard));
-        return new HashSet<>(texts);
+        return Set.copyOf(texts);
     }
 
     private Values values() {
-        Members members = members("values");
-        if (members == null) {
-            return Values.NONE;
-        }
-        Map<String, Object> values = new HashMap<>();
-        members.forEach((name, value) -> {
-            requireShort("the name of a value", name);
-            if (value instanceof Number number) {
-                values.put(name, finite(name, number));
-            } else if (value instanceof String || value instanceof Boolean) {
-                values.put(name, value);
-            } else {
-                throw malformed("the value '" + name + "' must be a string, a number or a boolean");
-            }
-        });
-        try {
-            return values.isEmpty() ? Values.NONE : new Values(values);
-        } catch (IllegalArgumentException e) {
-            throw malformed(String.valueOf(e.getMessage()));
-        }
-    }
-
-    /** JSON cannot express an infinity, so a record with one could not be written again. */
-    private static double finite(String name, Number number) {
-        double value = number.doubleValue();
-        if (Double.isInfinite(value)) {
-            throw malformed("the number '" + name + "' is too large; send one of at most 1.7E308, or a string");
-        }
-        return value;
+        Values values = record.values("values");
+        values.byName().keySet().forEach(name -> requireShort("the name of a value", name));
+        return values;
     }
 
     private long time(String name) {
-        long millis = number(name);
+        long millis = record.number(name);
         if (millis > MOST_MILLIS || millis < -MOST_MILLIS) {
             throw malformed("'" + name + "' is " + millis + "; give milliseconds since 1970");
         }
         return Wire.nanos(millis);
     }
 
-    /** The number of that name. */
-    public long number(String name) {
-        Object value = record.get(name);
-        if (value instanceof Long number) {
-            return number;
-        } else if (value instanceof Double number && number == Math.rint(number) && Math.abs(number) < MOST_WHOLE) {
-            return number.longValue();
-        }
-        throw malformed("'" + name + "' must be a whole number");
-    }
-
-    /** The number of that name; {@code otherwise} if there is none. */
-    public long number(String name, long otherwise) {
-        return record.get(name) == null ? otherwise : number(name);
-    }
-
-    /** The number of that name, possibly with a fraction; {@code otherwise} if there is none. */
-    public double fraction(String name, double otherwise) {
-        Object value = record.get(name);
-        if (value == null) {
-            return otherwise;
-        } else if (value instanceof Number number) {
-            return finite(name, number);
-        }
-        throw malformed("'" + name + "' must be a number");
-    }
-
-    /** The text of that name. */
-    public String text(String name) {
-        if (record.get(name) instanceof String text) {
-            return text;
-        }
-        throw malformed("'" + name + "' must be a string");
-    }
-
     /** The text of that name, which is the name of something. */
     public String name(String name) {
-        return requireShort("'" + name + "'", text(name));
+        return requireShort("'" + name + "'", record.text(name));
     }
 
     private static String requireShort(String what, String name) {
@@ -267,73 +208,6 @@ public final class Reading {
             throw malformed(what + " has " + name.length() + " characters, allowed are " + LONGEST_NAME);
         }
         return name;
-    }
-
-    /** The text of that name; {@code otherwise} if there is none. */
-    public String text(String name, String otherwise) {
-        return record.get(name) == null ? otherwise : text(name);
-    }
-
-    private boolean truth(String name) {
-        Object value = record.get(name);
-        if (value == null || value instanceof Boolean) {
-            return Boolean.TRUE.equals(value);
-        }
-        throw malformed("'" + name + "' must be true or false");
-    }
-
-    private @Nullable Members members(String name) {
-        Object value = record.get(name);
-        if (value == null || value == Members.NULL) {
-            return null;
-        } else if (value instanceof Members members) {
-            return members;
-        }
-        throw malformed("'" + name + "' must be an object");
-    }
-
-    private @Nullable List<?> list(String name) {
-        Object value = record.get(name);
-        if (value == null || value == Members.NULL) {
-            return null;
-        } else if (value instanceof List<?> list) {
-            return list;
-        }
-        throw malformed("'" + name + "' must be a list");
-    }
-
-    /** The object of that name. */
-    public Optional<Reading> inner(String name) {
-        return Optional.ofNullable(members(name)).map(Reading::new);
-    }
-
-    /** The objects of that name, a list; none if there is no such list. */
-    public List<Reading> each(String name) {
-        List<?> list = list(name);
-        List<Reading> each = new ArrayList<>();
-        for (Object value : list == null ? List.of() : list) {
-            if (!(value instanceof Members members)) {
-                throw malformed("'" + name + "' must be a list of objects");
-            }
-            each.add(new Reading(members));
-        }
-        return each;
-    }
-
-    /** The texts of that name, a list; null if there is no such list. */
-    public @Nullable List<String> texts(String name) {
-        List<?> list = list(name);
-        if (list == null) {
-            return null;
-        }
-        List<String> texts = new ArrayList<>();
-        for (Object value : list) {
-            if (!(value instanceof String text)) {
-                throw malformed("'" + name + "' must be a list of strings");
-            }
-            texts.add(text);
-        }
-        return texts;
     }
 
     private static Refusal malformed(String detail) {

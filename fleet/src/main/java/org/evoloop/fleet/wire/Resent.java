@@ -10,6 +10,9 @@ package org.evoloop.fleet.wire;
 public record Resent(String reason, long before) {
     /** The record. */
     public byte[] bytes() {
-        return new Json().with("resent", reason).with("before", before).bytes();
+        return Wire.record(Wire.SCHEMA)
+                .put("resent", reason)
+                .put("before", before)
+                .toBytes();
     }
 }

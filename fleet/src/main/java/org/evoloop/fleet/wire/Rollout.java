@@ -4,6 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.zip.CRC32;
 import org.evoloop.fleet.device.Model;
 import org.evoloop.migration.Mapping;
+import org.evoloop.payload.JsonRecord;
 import org.evoloop.statemachine.ModelException;
 
 /**
@@ -31,7 +32,7 @@ public record Rollout(
 
     /** Parses the result of {@link #bytes}. */
     public static Rollout read(String name, byte[] bytes) {
-        Reading record = Reading.of(bytes);
+        JsonRecord record = Reading.of(bytes).record();
         return new Rollout(
                 name,
                 record.text("from"),
@@ -45,15 +46,15 @@ public record Rollout(
 
     /** The record. */
     public byte[] bytes() {
-        return new Json()
-                .with("from", from)
-                .with("to", to)
-                .with("percent", percent)
-                .withText("mapping", mapping)
-                .with("stopPercent", stopPercent)
-                .with("stopAfter", stopAfter)
-                .withText("stopped", stopped)
-                .bytes();
+        return Wire.record(Wire.SCHEMA)
+                .put("from", from)
+                .put("to", to)
+                .put("percent", percent)
+                .putSome("mapping", mapping)
+                .put("stopPercent", stopPercent)
+                .put("stopAfter", stopAfter)
+                .putSome("stopped", stopped)
+                .toBytes();
     }
 
     /** A copy with another share. */

@@ -18,6 +18,7 @@ import org.apache.kafka.common.serialization.ByteArrayDeserializer;
 import org.apache.kafka.common.serialization.StringDeserializer;
 import org.evoloop.fleet.wire.Reading;
 import org.evoloop.fleet.wire.Topic;
+import org.evoloop.payload.JsonRecord;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -64,7 +65,7 @@ final class TopicAudit {
         while (ends.entrySet().stream().anyMatch(end -> consumer.position(end.getKey()) < end.getValue())
                 && System.nanoTime() - begun < LIMIT.toNanos()) {
             for (ConsumerRecord<String, byte[]> record : consumer.poll(Duration.ofMillis(200))) {
-                Reading reading = Reading.of(record.value());
+                JsonRecord reading = Reading.of(record.value()).record();
                 String identity = identity(topic, reading);
                 if (identity != null) {
                     String place = record.partition() + "/" + record.offset() + " " + reading.text("outcome", "");
@@ -76,7 +77,7 @@ final class TopicAudit {
     }
 
     /** Null if the record is not about an occurrence or command. */
-    private static @Nullable String identity(Topic topic, Reading reading) {
+    private static @Nullable String identity(Topic topic, JsonRecord reading) {
         return switch (topic) {
             case OCCURRENCES -> press(reading, reading.text("event", ""));
             case DECISIONS -> press(reading, reading.text("occurrence", ""));
@@ -84,7 +85,7 @@ final class TopicAudit {
         };
     }
 
-    private static @Nullable String press(Reading reading, String event) {
+    private static @Nullable String press(JsonRecord reading, String event) {
         return event.equals("switch") ? "press at " + reading.number("atMillis") : null;
     }
 

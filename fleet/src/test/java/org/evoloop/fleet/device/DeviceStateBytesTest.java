@@ -3,12 +3,10 @@ package org.evoloop.fleet.device;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
-import java.util.Locale;
 import java.util.Set;
 import org.evoloop.engine.Output;
-import org.evoloop.engine.codec.SnapshotException;
+import org.evoloop.engine.codec.CodecException;
 import org.evoloop.engine.codec.SnapshotText;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
@@ -60,35 +58,12 @@ class DeviceStateBytesTest {
                 new Event("switch"), Values.of("a", "b c"), Source.PANEL, false, Set.of("x"), 0, atNanos));
     }
 
-    private static byte[] text(DeviceState state) {
-        String head = "evoloop-device 1 "
-                + state.model()
-                + ' '
-                + state.sequence()
-                + ' '
-                + state.heard()
-                + words(state.open())
-                + words(state.lost())
-                + '\n';
-        return (head + SnapshotText.write(state.snapshot())).getBytes(StandardCharsets.UTF_8);
-    }
-
-    private static String words(Order.Open order) {
-        return order == null
-                ? " 0 0 none 0"
-                : " " + order.sequence() + ' ' + order.occurrence() + ' '
-                        + order.kind().name().toLowerCase(Locale.ROOT) + ' ' + order.deadlineNanos();
-    }
-
     private void assertUnchanged() {
-        byte[] text = text(device.state());
         byte[] bytes = DeviceStateBytes.write(device.state());
-        assertThat(bytes.length).isLessThan(text.length / 2);
-        // Stored text is read, too.
-        for (byte[] each : new byte[][] {text, bytes}) {
-            assertThat(DeviceStateBytes.model(each)).isEqualTo("lamp-1");
-            assertThat(DeviceStateBytes.read(version -> lamp.rules(), each)).isEqualTo(device.state());
-        }
+        assertThat(bytes.length)
+                .isLessThan(SnapshotText.write(device.state().snapshot()).length() / 2);
+        assertThat(DeviceStateBytes.model(bytes)).isEqualTo("lamp-1");
+        assertThat(DeviceStateBytes.read(version -> lamp.rules(), bytes)).isEqualTo(device.state());
     }
 
     @Test
@@ -98,7 +73,7 @@ class DeviceStateBytesTest {
         for (int length = 0; length < bytes.length; length++) {
             byte[] part = Arrays.copyOf(bytes, length);
             assertThatThrownBy(() -> DeviceStateBytes.read(version -> lamp.rules(), part))
-                    .isInstanceOfAny(IllegalArgumentException.class, SnapshotException.class);
+                    .isInstanceOf(CodecException.class);
         }
     }
 
@@ -107,18 +82,17 @@ class DeviceStateBytesTest {
         byte[] bytes = DeviceStateBytes.write(device.state());
         bytes[0] = 2;
         assertThatThrownBy(() -> DeviceStateBytes.model(bytes))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("version 2 cannot be read, only version 1; use the version of Evoloop that wrote it");
+                .isInstanceOf(CodecException.class)
+                .hasMessageContaining("version 2 cannot be read, only version 3; use the version of Evoloop");
     }
 
     @Test
-    void otherTextsAreRejected() {
-        assertThatThrownBy(() -> DeviceStateText.model("nothing\n".getBytes(StandardCharsets.UTF_8)))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("evoloop-device 1");
-        byte[] text = text(device.state());
-        String damaged = new String(text, StandardCharsets.UTF_8).replace("none", "nine");
-        assertThatThrownBy(() -> DeviceStateText.read(lamp.rules(), damaged.getBytes(StandardCharsets.UTF_8)))
-                .isInstanceOf(RuntimeException.class);
+    void onlyTheNumbersOfARemovedDeviceAreKept() {
+        byte[] bytes = DeviceStateBytes.write(new Past(7, -1));
+        assertThat(DeviceStateBytes.isRemoved(bytes)).isTrue();
+        assertThat(DeviceStateBytes.isRemoved(DeviceStateBytes.write(device.state())))
+                .isFalse();
+        assertThat(DeviceStateBytes.past(bytes)).isEqualTo(new Past(7, -1));
+        assertThatThrownBy(() -> DeviceStateBytes.past(Arrays.copyOf(bytes, 2))).isInstanceOf(CodecException.class);
     }
 }

@@ -24,6 +24,7 @@ import org.evoloop.mqtt.BrokerConnection;
 import org.evoloop.mqtt.Message;
 import org.evoloop.mqtt.Mosquitto;
 import org.evoloop.mqtt.edge.Outbox;
+import org.evoloop.payload.JsonRecord;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -251,6 +252,43 @@ class GatewayTest {
             device.publish(Message.event("evoloop/b/occurrence", "{\"schema\":1,\"event\":\"switch\",\"number\":8}"));
             Awaitility.await().atMost(LIMIT).until(() -> kept.contains(kept(8)));
             assertThat(gateway.waiting()).isEqualTo(2);
+        }
+    }
+
+    /** Wherever else that name or text is in the record: its time is a member of the record itself. */
+    @Test
+    void aRecordWithoutATimeGetsOne() throws Exception {
+        List<String> kept = new CopyOnWriteArrayList<>();
+        try (Mosquitto mosquitto = new Mosquitto(directory).start();
+                BrokerConnection device = new BrokerConnection(BrokerAddress.parse(mosquitto.url()), "device");
+                // It does not reach Kafka, so what it stores stays.
+                Gateway gateway = gateway("localhost:1", FLEET, mosquitto, Set.of("lamp"), "journal")) {
+            device.subscribe("evoloop/lamp/kept", message -> kept.add(message.payload()));
+            device.open();
+            gateway.start();
+            Awaitility.await().atMost(LIMIT).until(() -> device.isUp() && gateway.reachesDevices());
+            for (String members : List.of(
+                    ",\"values\":{\"name\":\"atMillis\"}",
+                    ",\"values\":{\"atMillis\":\"7\"}",
+                    ",\"holding\":[\"atMillis\"]",
+                    "",
+                    ",\"at\\u004dillis\":9",
+                    ",\"atMillis\":9")) {
+                device.publish(Message.event(
+                        "evoloop/lamp/occurrence", "{ \"schema\":1,\"event\":\"switch\"" + members + "}"));
+            }
+            device.publish(Message.event("evoloop/lamp/occurrence", "{}"));
+            device.publish(Message.event("evoloop/lamp/occurrence", "{\"schema\":1,\"number\":7}"));
+            Awaitility.await().atMost(LIMIT).until(() -> kept.contains(kept(7)));
+        }
+        try (Outbox stored = new Outbox(directory.resolve("journal"), 0)) {
+            List<Long> times = stored.first(9, 0).stream()
+                    .map(entry -> JsonRecord.of(entry.record()).number("atMillis"))
+                    .toList();
+            assertThat(times).hasSize(8);
+            assertThat(times.subList(4, 6)).containsOnly(9L);
+            assertThat(times.subList(0, 4)).allMatch(time -> time > 1_000);
+            assertThat(times.subList(6, 8)).allMatch(time -> time > 1_000);
         }
     }
 

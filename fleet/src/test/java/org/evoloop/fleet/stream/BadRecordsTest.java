@@ -46,7 +46,13 @@ class BadRecordsTest {
             bad(fleet, "good", Topic.DEVICES, "{\"schema\":1,\"model\":\"other\"}", "registered-already", "a rollout");
             // What is sent and stored because of such a record would be larger than the broker takes.
             String rest = "z".repeat(1_040_000);
-            bad(fleet, "good", Topic.OCCURRENCES, "{\"schema\":1," + rest, "malformed", "a name was expected");
+            bad(
+                    fleet,
+                    "good",
+                    Topic.OCCURRENCES,
+                    "{\"schema\":1," + rest,
+                    "malformed",
+                    "it is not valid JSON: line 1, column 13");
             String kind = Wire.text(RunningFleet.press(now)).replace("heard", rest);
             bad(fleet, "good", Topic.OCCURRENCES, kind, "malformed", "'zzz");
             String event = Wire.text(RunningFleet.press(now)).replace("switch", rest);

@@ -34,7 +34,7 @@ class TimersTest {
                 // The timer alone causes a command.
                 fleet.answer(device, 2, Answer.Outcome.SENT);
                 String timeout = await(fleet, Topic.DECISIONS, device, "\"source\":\"timer\"");
-                long fired = reading(timeout).number("atMillis") - Wire.millis(pressed);
+                long fired = reading(timeout).record().number("atMillis") - Wire.millis(pressed);
                 assertThat(fired).as(device).isGreaterThanOrEqualTo(device.equals("quick") ? 300 : 1_500);
                 assertThat(timeout).contains("\"model\":\"" + device + "\"", "\"outcome\":\"handled\"");
             }

@@ -99,8 +99,8 @@ class FleetFuzzTest {
             case OCCURRENCES -> Reading.of(bytes).occurrence();
             case EFFECTS -> Reading.of(bytes).answer();
             case COMMANDS -> Reading.of(bytes).order();
-            case DEVICES -> Reading.of(bytes).text("model");
-            case MODELS -> ModelRecord.of(Reading.of(bytes));
+            case DEVICES -> Reading.of(bytes).record().text("model");
+            case MODELS -> ModelRecord.of(Reading.of(bytes).record());
             case ROLLOUTS -> Rollout.read(ODD, bytes);
             default -> throw new Refusal(Refusal.Reason.MALFORMED, "it is not JSON");
         };

@@ -14,6 +14,7 @@ import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Turn;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
@@ -61,7 +62,11 @@ final class DeviceStateRules {
                     .filter(transition -> transition.event().trigger().equals(event))
                     .toList();
             if (!input.device().sendable().contains(event)) {
-                sends(state, "which cannot be sent", "remove it, or let the converter send it", event, here);
+                boolean exists = pair.original().triggers().contains(event);
+                String meant =
+                        exists ? "" : Names.meant(event.name(), input.device().sendable());
+                String remedy = meant.isEmpty() ? "remove it, or let the converter send it" : meant.substring(2);
+                sends(state, "which cannot be sent", remedy, event, here);
             } else if (known.isEmpty()) {
                 sends(
                         state,

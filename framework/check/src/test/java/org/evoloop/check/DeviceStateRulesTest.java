@@ -89,14 +89,16 @@ class DeviceStateRulesTest {
                         "new", "Ready tea -> Tea", "Tea power -> Off", "Tea brew -> Brewing", "Tea cold -> Off")
                 .withDeviceState(new State("Tea"), "Ready")
                 .withSends(new State("Tea"), new Event("brew"))
-                .withSends(new State("Tea"), new Event("hot"));
+                .withSends(new State("Tea"), new Event("hot"))
+                .withSends(new State("Tea"), new Event("powr"));
 
         assertThat(texts(evolved))
                 .containsExactly(
                         "declared-send: the function of Tea sends brew, which takes the device out of its device state"
                                 + " to Brewing; draw another new state with the device state Brewing",
                         "declared-send: the function of Tea sends hot, which cannot be sent; remove it, or let the"
-                                + " converter send it");
+                                + " converter send it",
+                        "declared-send: the function of Tea sends powr, which cannot be sent; did you mean power?");
     }
 
     @Test

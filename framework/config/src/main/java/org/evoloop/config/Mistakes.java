@@ -7,6 +7,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.BiConsumer;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.regex.Matcher;
@@ -50,7 +51,7 @@ public final class Mistakes {
 
     /** Adds a mistake at a place. */
     void at(Origin place, String mistake) {
-        found.add(new Mistake(place, Masked.urls(place.describe(mistake))));
+        found.add(new Mistake(place, Masked.urls(place.named(mistake))));
     }
 
     /** Adds a mistake in one option's value: nothing else about this option is reported. */
@@ -104,6 +105,11 @@ public final class Mistakes {
         }
     }
 
+    /** Gives each mistake together with its line. */
+    void forEach(BiConsumer<Integer, String> mistake) {
+        found.forEach(each -> mistake.accept(each.place().line(), each.text()));
+    }
+
     boolean isFaulty(String option) {
         return faulty.contains(option);
     }
@@ -117,7 +123,7 @@ public final class Mistakes {
         if (!found.isEmpty()) {
             throw new ConfigException(found.stream()
                     .sorted(Comparator.comparingInt(each -> each.place().line()))
-                    .map(Mistake::text)
+                    .map(each -> each.place().describe(each.text()))
                     .distinct()
                     .toList());
         }

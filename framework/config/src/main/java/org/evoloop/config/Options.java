@@ -7,8 +7,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.BiConsumer;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.evoloop.statemachine.Names;
 import org.jspecify.annotations.Nullable;
@@ -206,6 +208,22 @@ public final class Options {
      * @throws ConfigException if there are mistakes; it lists all of them
      */
     public Settings read(List<String> arguments, Map<String, String> environment, Predicate<RuntimeException> mistake) {
+        return read(arguments, List.of(), environment, mistake);
+    }
+
+    /**
+     * As {@link #read(List, Map)}, with options of another file, over which the command line and the file of {@code
+     * --config} win.
+     */
+    public Settings read(List<String> arguments, List<OptionLine> others, Map<String, String> environment) {
+        return read(arguments, others, environment, IllegalArgumentException.class::isInstance);
+    }
+
+    private Settings read(
+            List<String> arguments,
+            List<OptionLine> others,
+            Map<String, String> environment,
+            Predicate<RuntimeException> mistake) {
         Mistakes mistakes = new Mistakes();
         Reading reading = new Reading(this, arguments, mistakes, mistake);
         if (reading.asksForHelp()) {
@@ -214,6 +232,11 @@ public final class Options {
         List<Entry> lines = new ArrayList<>();
         reading.file().ifPresent(file -> lines.addAll(ConfigFile.read(file, mistakes)));
         lines.removeIf(entry -> entry.name().equals(PROGRAM) && isProgram(entry, mistakes));
+        Set<String> named = lines.stream().map(Entry::name).collect(Collectors.toSet());
+        others.stream()
+                .filter(each -> !named.contains(each.name()))
+                .map(OptionLine::entry)
+                .forEach(lines::add);
         Settings settings = new Settings(this, reading.with(lines), environment, "");
         for (Secret secret : secrets) {
             mistakes.tried(secret.file().name(), IllegalArgumentException.class::isInstance, () -> secret.in(settings));
@@ -221,6 +244,19 @@ public final class Options {
         checks.forEach(check -> check.check(settings, mistakes));
         mistakes.throwIfAny();
         return settings;
+    }
+
+    /**
+     * The mistakes in the values of these options, by themselves: what concerns several options, or what the command line
+     * may change, is found by {@link #read(List, List, Map)}.
+     *
+     * @param refused receives the line and what is wrong with it
+     */
+    public void check(List<OptionLine> lines, BiConsumer<Integer, String> refused) {
+        Mistakes mistakes = new Mistakes();
+        new Reading(this, List.of(), mistakes, IllegalArgumentException.class::isInstance)
+                .with(lines.stream().map(OptionLine::entry).toList());
+        mistakes.forEach(refused);
     }
 
     private boolean isProgram(Entry entry, Mistakes mistakes) {

@@ -21,8 +21,13 @@ record Origin(@Nullable Path file, int line) {
     }
 
     /** The mistake with options named as in this place: {@code --port} is {@code port} in a file. */
+    String named(String mistake) {
+        return isFile() ? mistake.replaceAll("(?<![\\w-])--(?=[a-z])(?!help\\b)", "") : mistake;
+    }
+
+    /** The mistake with this place, if it is one in a file. */
     String describe(String mistake) {
-        return isFile() ? this + ": " + mistake.replaceAll("(?<![\\w-])--(?=[a-z])(?!help\\b)", "") : mistake;
+        return isFile() ? this + ": " + mistake : mistake;
     }
 
     /** {@code roomba.yaml:3}, or {@code command line}. */

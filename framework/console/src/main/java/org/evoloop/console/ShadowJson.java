@@ -6,6 +6,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.evoloop.converter.ShadowReport;
 import org.evoloop.evolution.Configuration;
+import org.evoloop.payload.JsonObject;
 import org.evoloop.rehearsal.Difference;
 
 /**

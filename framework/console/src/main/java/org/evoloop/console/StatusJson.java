@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.Locale;
 import org.evoloop.converter.ConverterStatus;
 import org.evoloop.loop.ComponentStatus;
+import org.evoloop.payload.JsonObject;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -12,6 +13,8 @@ import org.jspecify.annotations.Nullable;
  * <ul>
  *   <li>{@code name}; {@code loop}: new, stopped, running or exited
  *   <li>{@code originalState}, {@code newState}: the current states of the models
+ *   <li>{@code system}: the latter for people, with where the device is if the state needs it somewhere: {@code Gap, the
+ *   device in StopUp}
  *   <li>{@code lastKnownSince}: since when these are only the last known ones, in UTC, such as {@code
  *   2026-11-22T15:04:05.123Z}; {@code null} while the loop is open and the device can be reached
  *   <li>{@code queue}: {@code depth}, {@code capacity}, {@code highest}, {@code taken}, {@code dropped}, {@code
@@ -41,13 +44,14 @@ import org.jspecify.annotations.Nullable;
 public final class StatusJson {
     private StatusJson() {}
 
-    /** The line, without a line feed. */
-    public static String of(ConverterStatus status) {
+    /** The line. */
+    public static JsonObject of(ConverterStatus status) {
         return new JsonObject()
                 .put("name", status.name())
                 .put("loop", lowerCase(status.loop()))
                 .put("originalState", status.states().original().name())
                 .put("newState", status.states().evolved().name())
+                .put("system", status.system())
                 .put("evolution", status.evolution())
                 .put("shadow", status.shadow())
                 .put("doubt", status.doubt())
@@ -96,8 +100,7 @@ public final class StatusJson {
                                 .put("readings", JsonObject.of(status.function().readings())))
                 .put("timers", status.timers().stream().map(StatusJson::timer).toList())
                 .put("faults", status.faults().stream().map(StatusJson::fault).toList())
-                .put("link", link(status.link()))
-                .toString();
+                .put("link", link(status.link()));
     }
 
     private static @Nullable JsonObject link(ConverterStatus.@Nullable LinkStatus link) {

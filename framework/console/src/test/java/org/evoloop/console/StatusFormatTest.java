@@ -29,7 +29,7 @@ class StatusFormatTest {
             "robot",
             LoopState.RUNNING,
             new Configuration(new State("On"), new State("Move")),
-            "Move",
+            "Move, the device in On",
             "",
             "",
             "",
@@ -81,7 +81,7 @@ class StatusFormatTest {
         assertThat(out.lines())
                 .containsExactly(
                         "converter   robot, running",
-                        "states      original On, new Move",
+                        "states      original On, new Move, the device in On",
                         "now         Move: driving there, distance 1.2 m",
                         "timers      tm(90s) in 61 s, tm(5min) in 4 min 30 s, timeout in 3 h 7 min",
                         "device      battery 93 %, charging source home \"base\"; not docked",
@@ -97,7 +97,7 @@ class StatusFormatTest {
         StatusText.all(BUSY, out.stream);
 
         assertThat(out.lines())
-                .startsWith("converter   robot, running", "states      original On, new Move")
+                .startsWith("converter   robot, running", "states      original On, new Move, the device in On")
                 .containsSubsequence(
                         "function    thread function-Move-7",
                         "queue       2 waiting, highest 5, room for 8 presses; 1 dropped, 3 refused",
@@ -111,9 +111,9 @@ class StatusFormatTest {
 
     @Test
     void asJson() {
-        assertThat(StatusJson.of(BUSY))
+        assertThat(StatusJson.of(BUSY).toString())
                 .startsWith(
-                        "{\"name\":\"robot\",\"loop\":\"running\",\"originalState\":\"On\",\"newState\":\"Move\",\"evolution\":\"\",\"shadow\":\"\",\"doubt\":\"\",\"lastKnownSince\":null,"
+                        "{\"name\":\"robot\",\"loop\":\"running\",\"originalState\":\"On\",\"newState\":\"Move\",\"system\":\"Move, the device in On\",\"evolution\":\"\",\"shadow\":\"\",\"doubt\":\"\",\"lastKnownSince\":null,"
                                 + "\"queue\":{\"depth\":2,\"capacity\":8,\"highest\":5,"
                                 + "\"taken\":40,\"dropped\":1,\"refused\":3},"
                                 + "\"events\":{\"observed\":44,\"handled\":30,\"ignored\":4,\"stale\":2,\"failed\":1,"
@@ -121,7 +121,7 @@ class StatusFormatTest {
                                 + "\"conversionTime\":{\"events\":33,\"lastNanos\":180499,\"medianNanos\":999499,"
                                 + "\"percentile99Nanos\":12340000},\"components\":[")
                 .contains("\"activity\":\"stuck\",\"failures\":2,"
-                        + "\"lastFailure\":\"Motors.execute: \\\"no\\\\answer\\\"\\u0009\\u00e9\"}]")
+                        + "\"lastFailure\":\"Motors.execute: \\\"no\\\\answer\\\"\\t\\u00E9\"}]")
                 .endsWith("\"function\":{\"state\":\"Move\",\"thread\":\"function-Move-7\","
                         + "\"progress\":\"driving there\",\"readings\":{\"distance\":1.204}},"
                         + "\"timers\":[{\"event\":\"tm(90s)\",\"remainingMillis\":61400,\"due\":\"2026-11-22T15:01:01.400Z\"},"
@@ -158,8 +158,9 @@ class StatusFormatTest {
         StatusText.brief(stopped, out.stream);
 
         assertThat(out.lines().get(1))
-                .matches("states {6}original On, new Move; last known, since 2026-11-2\\d \\d\\d:\\d\\d:05");
-        assertThat(StatusJson.of(stopped)).contains("\"lastKnownSince\":\"2026-11-22T15:04:05.123Z\"");
+                .matches(
+                        "states {6}original On, new Move, the device in On; last known, since 2026-11-2\\d \\d\\d:\\d\\d:05");
+        assertThat(StatusJson.of(stopped).toString()).contains("\"lastKnownSince\":\"2026-11-22T15:04:05.123Z\"");
     }
 
     private static ConverterStatus running(

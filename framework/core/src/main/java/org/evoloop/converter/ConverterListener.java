@@ -1,6 +1,8 @@
 package org.evoloop.converter;
 
 import java.time.Duration;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.loop.Failure;
@@ -15,6 +17,35 @@ import org.evoloop.loop.Failure;
  * @since 0.1
  */
 public interface ConverterListener {
+    /** One that only hears what has {@link #ended}. */
+    static ConverterListener onEnded(Consumer<HistoryEntry> then) {
+        return new ConverterListener() {
+            @Override
+            public void ended(HistoryEntry entry) {
+                then.accept(entry);
+            }
+        };
+    }
+
+    /** One that only hears what has {@link #moved}; {@code then} gets the states before and after. */
+    static ConverterListener onMoved(BiConsumer<Configuration, Configuration> then) {
+        return new ConverterListener() {
+            @Override
+            public void moved(Configuration before, Configuration after) {
+                then.accept(before, after);
+            }
+        };
+    }
+
+    /** One that only hears what has {@link #failed}. */
+    static ConverterListener onFailed(Consumer<Failure<Occurrence>> then) {
+        return new ConverterListener() {
+            @Override
+            public void failed(Failure<Occurrence> failure) {
+                then.accept(failure);
+            }
+        };
+    }
 
     /**
      * The conversion time of an occurrence, from its observation to its decision. Called right before {@link #ended};

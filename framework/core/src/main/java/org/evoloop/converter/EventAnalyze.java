@@ -1,5 +1,8 @@
 package org.evoloop.converter;
 
+import static java.util.Objects.requireNonNull;
+
+import java.util.function.Predicate;
 import org.evoloop.converter.attachment.DecisionHost;
 import org.evoloop.converter.attachment.Friends;
 import org.evoloop.evolution.Configuration;
@@ -20,6 +23,8 @@ import org.jspecify.annotations.Nullable;
  *             : super.analyze(occurrence);
  * }
  * }</pre>
+ *
+ * <p>For one rule, {@link #refuseWhen} does the same without a class.
  *
  * <p>A refined decision takes transitions that the models draw, and its steps and its transition lead to the states that
  * it names; with any other, the event fails.
@@ -42,6 +47,22 @@ public class EventAnalyze extends Analyze<Occurrence, Analysis> {
     /** @param name its name in the console, unique within a converter */
     public EventAnalyze(String name) {
         super(name);
+    }
+
+    /**
+     * A component that refuses what {@code when} is true for, such as all buttons at night.
+     *
+     * @param reason for people; the history shows it
+     */
+    public static EventAnalyze refuseWhen(Predicate<Occurrence> when, String reason) {
+        requireNonNull(when, "when something is refused is null");
+        requireNonNull(reason, "the reason why something is refused is null");
+        return new EventAnalyze() {
+            @Override
+            protected @Nullable Analysis analyze(Occurrence occurrence) {
+                return when.test(occurrence) ? refuse(occurrence, reason) : super.analyze(occurrence);
+            }
+        };
     }
 
     private void attach(DecisionHost joined) {

@@ -6,11 +6,13 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.evoloop.converter.attachment.EventsByName;
 import org.evoloop.converter.attachment.ExecuteAccess;
 import org.evoloop.converter.attachment.Friends;
+import org.evoloop.converter.attachment.UserCode;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;
@@ -44,6 +46,39 @@ public abstract class EventExecute extends Execute<ChangePlan> {
     /** @param name its name in the console, unique within a converter */
     protected EventExecute(String name) {
         super(name);
+    }
+
+    /** How a component made by {@link #of} sends. */
+    @FunctionalInterface
+    public interface Sending {
+        /**
+         * Sends the event of {@code step}, see {@link EventExecute#send}.
+         *
+         * @throws Exception any failure: the event had no effect
+         */
+        void send(Step step) throws Exception;
+    }
+
+    /**
+     * A component that only sends.
+     *
+     * @param name its name in the console, unique within a converter
+     * @param events that it can send, see {@link #sendableEvents}
+     */
+    public static EventExecute of(String name, Set<String> events, Sending sending) {
+        Set<String> sendable = Set.copyOf(events);
+        requireNonNull(sending, "how " + name + " sends is null");
+        return new EventExecute(name) {
+            @Override
+            protected Set<String> sendableEvents() {
+                return sendable;
+            }
+
+            @Override
+            protected void send(Step step) throws Exception {
+                sending.send(step);
+            }
+        };
     }
 
     /**
@@ -184,20 +219,20 @@ public abstract class EventExecute extends Execute<ChangePlan> {
         @Override
         public Optional<State> locate(Function<String, State> states, boolean isLast, Consumer<Throwable> reports)
                 throws Exception {
-            try {
-                return requireNonNull(
-                                EventExecute.this.locate(),
-                                "locate() is null; return Optional.empty() if the device does not know it")
-                        .map(states);
-            } catch (InterruptedException stop) {
-                throw stop;
-            } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {
-                if (isLast) {
-                    throw cause;
+            AtomicReference<Optional<State>> found = new AtomicReference<>(Optional.empty());
+            UserCode.Call asking = () -> found.set(requireNonNull(
+                            EventExecute.this.locate(),
+                            "locate() is null; return Optional.empty() if the device does not know it")
+                    .map(states));
+            if (isLast) {
+                asking.run();
+            } else {
+                Throwable cause = UserCode.call(asking);
+                if (cause != null) {
+                    reports.accept(cause);
                 }
-                reports.accept(cause);
-                return Optional.empty();
             }
+            return requireNonNull(found.get());
         }
 
         @Override

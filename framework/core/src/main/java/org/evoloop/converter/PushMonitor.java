@@ -6,6 +6,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
+import org.evoloop.evolution.EventOutcome;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Values;
 import org.evoloop.loop.Intake.Admission;
@@ -66,7 +67,7 @@ public class PushMonitor extends EventMonitor {
     }
 
     /** As {@link #submit(String, Values)}, for an event without values. */
-    public final CompletableFuture<PressOutcome> submit(String event) {
+    public final CompletableFuture<EventOutcome> submit(String event) {
         return submit(event, Values.NONE);
     }
 
@@ -81,7 +82,7 @@ public class PushMonitor extends EventMonitor {
      * @throws IllegalStateException if this monitor is not part of a converter that was built
      * @throws UnsupportedOperationException if the events of this monitor are decided elsewhere, as in a fleet
      */
-    public final CompletableFuture<PressOutcome> submit(String event, Values values) {
+    public final CompletableFuture<EventOutcome> submit(String event, Values values) {
         Occurrence pressed = pressed(event, values);
         Submission submission = new Submission();
         await(pressed, submission);
@@ -91,7 +92,7 @@ public class PushMonitor extends EventMonitor {
         } else {
             String why = whyNotTaken(pressed, admission);
             boolean full = admission == Admission.DROPPED || admission == Admission.FIRST_DROPPED;
-            submission.notTaken(full ? new PressOutcome.Dropped(why) : new PressOutcome.Refused(why));
+            submission.notTaken(full ? new EventOutcome.Dropped(why) : new EventOutcome.Refused(why));
         }
         return submission.outcome;
     }

@@ -29,6 +29,7 @@ import org.evoloop.loop.Knowledge;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
@@ -47,6 +48,7 @@ public class StateKnowledge extends Knowledge {
     }
 
     private final KnowledgeAccess access = new Access();
+    private final StateMachine drawn;
 
     /** With the device states and sends that {@link #registerNewFunctions} adds. */
     private ModelPair pair;
@@ -74,6 +76,7 @@ public class StateKnowledge extends Knowledge {
     public StateKnowledge(ModelPair pair) {
         requireNonNull(pair, "the models are null").requireValid();
         this.pair = pair;
+        this.drawn = pair.evolved();
         this.bindings = new Bindings(pair);
         this.eventNames = EventNames.of(pair);
     }
@@ -184,13 +187,22 @@ public class StateKnowledge extends Knowledge {
     }
 
     /**
-     * Says that the function of the new state {@code state} may send {@code event} to the device, as the model can, too.
-     * What neither says is refused when the function asks for it. Checks of the model need to be told what only the
-     * code says.
+     * Says that the function of the new state {@code state} may send {@code event} to the device, as the model can, too:
+     * a model that says what the function sends has to say all of it. What neither says is refused when the function
+     * asks for it. Checks of the model need to be told what only the code says.
      */
     protected final void sends(String state, String event) {
+        Event sent = new Event(event);
         for (State each : used(state)) {
-            pair = new ModelPair(pair.original(), pair.evolved().withSends(each, new Event(event)));
+            Set<Event> known = drawn.sends(each);
+            if (!known.isEmpty() && !known.contains(sent)) {
+                repeated.add("the function of " + each + " sends " + event + ", but the new model draws that it sends "
+                        + String.join(
+                                ", ", known.stream().map(Event::name).sorted().toList())
+                        + " only; draw " + event + ", too, or remove it from the code");
+            } else {
+                pair = new ModelPair(pair.original(), pair.evolved().withSends(each, sent));
+            }
         }
     }
 

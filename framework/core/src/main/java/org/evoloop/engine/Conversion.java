@@ -62,10 +62,13 @@ final class Conversion {
         decide(decided);
     }
 
-    /** A report of the device's state may complete what was interrupted, as its answer does. */
+    /**
+     * A report of the device's state may complete what was interrupted, as its answer does. The question that it has
+     * answered beforehand decides nothing.
+     */
     private Decision reported(Pending pending, Decision usual) {
         Doubt last = ledger.place.lastDoubt();
-        if (last == null || !last.isReported()) {
+        if (last == null || !last.isReported() || pending.occurrence() instanceof Occurrence.InDoubt) {
             return usual;
         }
         ledger.place.doubt(last.settled(true));

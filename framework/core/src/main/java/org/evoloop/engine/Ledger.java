@@ -139,7 +139,7 @@ final class Ledger {
     void ended(
             Occurrence occurrence, Configuration before, Outcome outcome, @Nullable Decision decision, String detail) {
         counts.end(outcome);
-        followOwed |= !isWhereNeeded();
+        followUnless(isWhereNeeded());
         String why = decision instanceof Decision.NotAcceptable
                 ? rules.table().models().guardsThatDoNotHold(before, occurrence)
                 : detail;
@@ -195,7 +195,8 @@ final class Ledger {
      * Where the device is elsewhere than the state needs it, the new model follows instead; an urgent event is decided
      * before that.
      *
-     * @param after the occurrence that has ended; after a takeover the timers keep their remaining time
+     * @param after the occurrence that has ended; after a takeover the timers keep their remaining time, unless they had
+     *     to wait until the device was where the state needs it
      */
     boolean enterAgain(Occurrence after) {
         boolean again = stay.isOver()
@@ -204,12 +205,13 @@ final class Ledger {
                 && nextUrgent() == null
                 && !isSettling()
                 && isWhereNeeded();
-        if (again && after instanceof Occurrence.Evolved) {
+        boolean tookOver = after instanceof Occurrence.Evolved;
+        if (again && tookOver && !rules.table().needsDevice(place.at().evolved())) {
             enterAsLeft();
         } else if (again) {
             enter(stay.by(), Set.of());
         }
-        return again && !(after instanceof Occurrence.Evolved);
+        return again && !tookOver;
     }
 
     /**
@@ -289,13 +291,18 @@ final class Ledger {
         return new Decision.NewState(before, after, List.of(), transition, interrupted.effects());
     }
 
-    /**
-     * The device is certainly where the record has it, which does not mean that the new model has a place there. What waits
-     * to be decided again decides that: it may have brought the device there, and would otherwise be taken for another
-     * press.
-     */
+    /** The device is certainly where the record has it, which does not mean that the new model has a place there. */
     void followIfApart() {
-        followOwed |= !line.holdsRetry() && !rules.table().isFollowed(place.at());
+        followUnless(rules.table().isFollowed(place.at()));
+    }
+
+    /**
+     * Where device and new model are apart, the new model follows, unless what was in doubt waits to be decided again: that
+     * may have brought the device there, and would otherwise be taken for another press.
+     */
+    private void followUnless(boolean together) {
+        Doubt last = place.lastDoubt();
+        followOwed |= !together && (last == null || !line.holds(last.number()));
     }
 
     /**

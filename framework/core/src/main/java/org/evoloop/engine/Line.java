@@ -212,6 +212,15 @@ final class Line {
         return first != null && first.attempts() > 0;
     }
 
+    boolean holds(long number) {
+        for (Pending pending : waiting) {
+            if (pending.number() == number) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** Whether any was begun before, and overtaken. */
     boolean holdsRetry() {
         for (Pending pending : waiting) {

@@ -156,8 +156,13 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
     public String describe(Configuration at) {
         boolean needs = isNew(at.evolved()) && !whereDeviceMustBe(at.evolved()).isEmpty();
         return needs
-                ? at.evolved() + ", the device in " + at.original()
+                ? describe(at.evolved(), at.original().name())
                 : at.evolved().name();
+    }
+
+    /** The same for a state that needs the device in {@code device}. */
+    public static String describe(State state, String device) {
+        return state + ", the device in " + device;
     }
 
     /**

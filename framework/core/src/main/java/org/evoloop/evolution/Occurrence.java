@@ -2,6 +2,7 @@ package org.evoloop.evolution;
 
 import static java.util.Objects.requireNonNull;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import org.evoloop.statemachine.Event;
@@ -43,6 +44,12 @@ public sealed interface Occurrence {
     /** Its values. */
     default Values values() {
         return Values.NONE;
+    }
+
+    /** Whether it is one of these events, by their names without guards. */
+    default boolean is(String... events) {
+        return this instanceof Heard heard
+                && List.of(events).contains(heard.event().name());
     }
 
     /**

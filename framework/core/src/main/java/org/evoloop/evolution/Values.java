@@ -121,6 +121,33 @@ public record Values(Map<String, Object> byName) {
         return require(name, Boolean.class);
     }
 
+    /**
+     * A number, or {@code otherwise} if there is nothing of that name.
+     *
+     * @throws IllegalArgumentException if it is something else
+     */
+    public double number(String name, double otherwise) {
+        return byName.containsKey(requireNonNull(name, NO_NAME)) ? number(name) : otherwise;
+    }
+
+    /**
+     * A string, or {@code otherwise} if there is nothing of that name.
+     *
+     * @throws IllegalArgumentException if it is something else
+     */
+    public String text(String name, String otherwise) {
+        return byName.containsKey(requireNonNull(name, NO_NAME)) ? text(name) : otherwise;
+    }
+
+    /**
+     * A boolean, or {@code otherwise} if there is nothing of that name.
+     *
+     * @throws IllegalArgumentException if it is something else
+     */
+    public boolean truth(String name, boolean otherwise) {
+        return byName.containsKey(requireNonNull(name, NO_NAME)) ? truth(name) : otherwise;
+    }
+
     private <T> T require(String name, Class<T> type) {
         Object value = byName.get(requireNonNull(name, NO_NAME));
         if (!type.isInstance(value)) {

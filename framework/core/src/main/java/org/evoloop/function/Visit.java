@@ -4,6 +4,8 @@ import java.time.Duration;
 import java.time.LocalTime;
 import java.time.ZoneId;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import org.evoloop.evolution.EventOutcome;
 import org.evoloop.evolution.Values;
 import org.evoloop.statemachine.State;
 import org.evoloop.time.Clock;
@@ -116,6 +118,22 @@ public interface Visit {
      * @throws InterruptedException if the state is left while this waits for room in the queue
      */
     void send(String event, Values values) throws InterruptedException;
+
+    /** As {@link #ask(String, Values)}, without values. */
+    default CompletableFuture<EventOutcome> ask(String event) {
+        return ask(event, Values.NONE);
+    }
+
+    /**
+     * Sends {@code event} with {@code values} to the device, as {@link #send(String, Values)} does, without waiting, and
+     * gives the outcome. A visit asks for one event at a time: until that is done, another is refused and not sent, so that
+     * a loop cannot flood the device.
+     *
+     * @return completes when the record has moved, or it is certain that the event has no effect; on a thread of the JDK's
+     *     common pool or, in a converter without threads, by the step that ends the event
+     * @throws UnsupportedOperationException if the events of this converter are decided elsewhere, as in a fleet
+     */
+    CompletableFuture<EventOutcome> ask(String event, Values values);
 
     /** Reports the function's progress in a few words: as {@link #progress(String, List)}, without readings. */
     default void progress(String text) {

@@ -72,6 +72,17 @@ class DeviceUseInCodeTest {
     }
 
     @Test
+    void aModelThatDrawsWhatAFunctionSendsDrawsAllOfIt() {
+        Known same = new Known(each -> each.sends("Boost", "swing"), "Boost sends swing").registered();
+        Known more = new Known(each -> each.sends("Boost", "turbo"), "Boost sends swing").registered();
+
+        assertThat(same.problems(true)).noneMatch(problem -> problem.contains("sends"));
+        assertThat(more.problems(true))
+                .contains("the function of Boost sends turbo, but the new model draws that it sends swing only; draw"
+                        + " turbo, too, or remove it from the code");
+    }
+
+    @Test
     void aMisspeltStateIsAProblem() {
         Known known = new Known(each -> each.sends("Bost", "swing")).registered();
 

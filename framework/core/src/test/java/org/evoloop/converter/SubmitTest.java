@@ -4,11 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.evoloop.RecordingExecute;
+import org.evoloop.evolution.EventOutcome;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
@@ -82,10 +84,10 @@ class SubmitTest {
     @Test
     void handledWithWhatWasSent() throws InterruptedException {
         try (SystemEventConverter converter = stepped()) {
-            CompletableFuture<PressOutcome> outcome = panel.submit("express", Values.of("load", 100));
+            CompletableFuture<EventOutcome> outcome = panel.submit("express", Values.of("load", 100));
             assertThat(outcome).isNotDone();
             settle(converter, panel);
-            assertThat(outcome.join()).isInstanceOfSatisfying(PressOutcome.Handled.class, handled -> {
+            assertThat(outcome.join()).isInstanceOfSatisfying(EventOutcome.Handled.class, handled -> {
                 assertThat(handled.from()).hasToString("(F, F)");
                 assertThat(handled.to()).hasToString("(H, H)");
                 assertThat(handled.sent()).isEqualTo(List.of(new Event("up"), new Event("up")));
@@ -97,12 +99,12 @@ class SubmitTest {
     @Test
     void notAcceptableWithTheGuardThatIsFalse() throws InterruptedException {
         try (SystemEventConverter converter = stepped()) {
-            CompletableFuture<PressOutcome> heavy = panel.submit("express", Values.of("load", 400));
+            CompletableFuture<EventOutcome> heavy = panel.submit("express", Values.of("load", 400));
             settle(converter, panel);
-            CompletableFuture<PressOutcome> nowhere = panel.submit("ring");
+            CompletableFuture<EventOutcome> nowhere = panel.submit("ring");
             settle(converter, panel);
             assertThat(heavy.join())
-                    .isInstanceOf(PressOutcome.NotAcceptable.class)
+                    .isInstanceOf(EventOutcome.NotAcceptable.class)
                     .hasToString("not acceptable in F: [light load] is false for load=400");
             assertThat(nowhere.join()).hasToString("not acceptable in F");
             assertThat(converter.history().get(0).detail())
@@ -117,38 +119,38 @@ class SubmitTest {
             settle(converter, panel);
             panel.submit("up");
             settle(converter, panel);
-            CompletableFuture<PressOutcome> down = panel.submit("down");
+            CompletableFuture<EventOutcome> down = panel.submit("down");
             settle(converter, panel);
-            assertThat(down.join()).isEqualTo(new PressOutcome.Refused("nobody goes down here"));
+            assertThat(down.join()).isEqualTo(new EventOutcome.Refused("nobody goes down here"));
         }
     }
 
     @Test
     void droppedByAFullQueueAndRefusedWhileStopped() throws InterruptedException {
         try (SystemEventConverter converter = stepped()) {
-            CompletableFuture<PressOutcome> first = panel.submit("up");
-            CompletableFuture<PressOutcome> second = panel.submit("up");
+            CompletableFuture<EventOutcome> first = panel.submit("up");
+            CompletableFuture<EventOutcome> second = panel.submit("up");
             converter.observe(panel);
             converter.observe(panel);
             settle(converter, panel);
             assertThat(first.join().isHandled()).isTrue();
-            assertThat(second.join()).isInstanceOf(PressOutcome.Dropped.class);
+            assertThat(second.join()).isInstanceOf(EventOutcome.Dropped.class);
 
             converter.stop();
             assertThat(panel.submit("up").join())
-                    .isEqualTo(new PressOutcome.Refused(
+                    .isEqualTo(new EventOutcome.Refused(
                             "the converter lift is stopped, so up is refused; start it first"));
         }
     }
 
     @Test
     void whatWaitsWhenTheConverterIsClosedIsRefused() {
-        CompletableFuture<PressOutcome> waiting;
+        CompletableFuture<EventOutcome> waiting;
         try (SystemEventConverter converter = stepped()) {
             waiting = panel.submit("up");
             assertThat(converter.status().events().handled()).isZero();
         }
-        assertThat(waiting.join()).isInstanceOf(PressOutcome.Refused.class);
+        assertThat(waiting.join()).isInstanceOf(EventOutcome.Refused.class);
     }
 
     @Test
@@ -157,12 +159,12 @@ class SubmitTest {
                 LoopConfig.defaults("lift", clock).withoutThreads().withPressAge(Duration.ofSeconds(5));
         try (SystemEventConverter converter = start(impatient, lift)) {
             panel.submit("up");
-            CompletableFuture<PressOutcome> old = panel.submit("up");
+            CompletableFuture<EventOutcome> old = panel.submit("up");
             converter.observe(panel);
             converter.observe(panel);
             clock.advance(Duration.ofSeconds(9));
             settle(converter, panel);
-            assertThat(old.join()).isEqualTo(new PressOutcome.Stale("pressed 9 s before its turn; the limit is 5 s"));
+            assertThat(old.join()).isEqualTo(new EventOutcome.Stale("pressed 9 s before its turn; the limit is 5 s"));
         }
     }
 
@@ -181,7 +183,7 @@ class SubmitTest {
         };
         try (SystemEventConverter converter = start(LoopConfig.defaults("lift", clock), jammed)) {
             assertThat(panel.submit("up").get(10, TimeUnit.SECONDS))
-                    .isInstanceOfSatisfying(PressOutcome.Failed.class, failed -> {
+                    .isInstanceOfSatisfying(EventOutcome.Failed.class, failed -> {
                         assertThat(failed.to()).hasToString("(F, F)");
                         assertThat(failed.why()).contains("the door is open");
                     });
@@ -195,5 +197,37 @@ class SubmitTest {
             assertThat(converter).isNotNull();
             assertThatThrownBy(() -> panel.submit("upp")).hasMessageContaining("did you mean up?");
         }
+    }
+
+    @Test
+    void aFunctionAsksForOneEventAtATime() throws InterruptedException {
+        List<CompletableFuture<EventOutcome>> asked = new ArrayList<>();
+        try (SystemEventConverter converter =
+                new SystemEventConverter(LoopConfig.defaults("lift", clock).withoutThreads())) {
+            converter.addMonitor(panel);
+            converter.addExecute(lift);
+            converter.addKnowledge(new StateKnowledge(new ModelPair(LIFT, EXPRESS)) {
+                @Override
+                protected void registerNewFunctions() {
+                    guard("light load", values -> false);
+                    sends("Ringing", "up");
+                    function("Ringing", visit -> {
+                        asked.add(visit.ask("up"));
+                        asked.add(visit.ask("up"));
+                        asked.get(0).thenAccept(done -> asked.add(visit.ask("up")));
+                    });
+                }
+            });
+            converter.build();
+            converter.start();
+            panel.press("up");
+            settle(converter, panel);
+            panel.press("ring");
+            settle(converter, panel);
+        }
+        assertThat(lift.sent()).containsExactly("up", "up");
+        assertThat(asked.get(0).join()).hasToString("handled: Ringing, sent up");
+        assertThat(asked.get(1).join()).isInstanceOf(EventOutcome.Refused.class);
+        assertThat(asked.get(2).join()).as("not possible in H").isInstanceOf(EventOutcome.Failed.class);
     }
 }

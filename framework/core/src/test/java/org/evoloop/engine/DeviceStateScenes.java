@@ -5,6 +5,7 @@ import static org.evoloop.Machines.machine;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.migration.Mapping;
 
 /** Scenes with new states that need the device somewhere. */
 final class DeviceStateScenes {
@@ -103,6 +104,27 @@ final class DeviceStateScenes {
                         "power",
                         2)
                 .pressing("boost");
+    }
+
+    /** A fan with a rest, for which the next models need the device off. */
+    static Scene restingFan() {
+        String[] fan = {"Off power -> Low", "Low power -> High", "High power -> Off"};
+        String[] resting = and(fan, "Off rest -> Rest", "Rest rest -> High", "Rest timeout -> Low");
+        return resting("resting fan", fan, resting)
+                .evolvingTo(resting("fan that rests", fan, and(resting, "Rest device Off")), Mapping.byName());
+    }
+
+    /** A fan with a boost wherever it is, for which the next models need it to be high. */
+    static Scene boostedFan() {
+        String[] fan = {"Off power -> Low", "Low power -> High", "High power -> Off"};
+        String[] boosted = and(fan, "Off rest -> Rest", "Rest rest -> Off", "Rest timeout -> Low");
+        return resting("boosted fan", fan, boosted)
+                .evolvingTo(resting("high fan", fan, and(boosted, "Rest device High")), Mapping.byName());
+    }
+
+    private static Scene resting(String name, String[] device, String[] evolved) {
+        ModelPair pair = new ModelPair(machine("fan", device), machine(name, evolved));
+        return Scene.of(name, pair, Map.of("Rest", "timeout"), "power", "", 2).pressing("rest");
     }
 
     private static String[] and(String[] some, String... more) {

@@ -101,11 +101,37 @@ class DeviceStatesTest {
     }
 
     @Test
+    void aReportCompletesItAlsoWhileTheDeviceIsAskedForIt() {
+        door.press("gap").begins().givenUp().ready().found("Opening");
+        door.planned().located("Opening").ready().planned();
+        assertThat(door.core.at()).isEqualTo(at("Opening", "GapMoving"));
+        assertThat(isStarted()).isTrue();
+        assertThat(sent()).isEmpty();
+    }
+
+    @Test
     void aReportDoesNotCompleteWhatTheDeviceHasLeftByItself() {
         door.press("gap").begins().givenUp().found("Opening").own("limitOpen");
         door.ready().planned().ready().planned();
         assertThat(door.core.at()).isEqualTo(at("Open", "Open"));
         assertThat(sent()).isEmpty();
+    }
+
+    @Test
+    void aPressThatHasMovedTheDeviceIsNotTakenForAnother() {
+        inGap();
+        // Before or after it took the step?
+        door.press("press").begins().found("StopUp").sent(false);
+        assertThat(door.record()).endsWith(", in doubt");
+        door.ready().planned().located("Closing");
+        while (door.core.hasNext()) {
+            door.ready().planned();
+            if (door.core.snapshot().work() != null) {
+                door.sending().sent(true);
+            }
+        }
+        assertThat(door.core.at()).isEqualTo(at("Closing", "Closing"));
+        assertThat(sent()).containsExactly("press", "press", "press");
     }
 
     /** The device could have taken the press twice, by hand and from here; what is asked for meanwhile waits. */

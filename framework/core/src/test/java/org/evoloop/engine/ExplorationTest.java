@@ -268,11 +268,15 @@ class ExplorationTest {
                         scene.with(2, Act.PRESS, Act.OWN),
                         scene.with(2, Act.PRESS).with(1, Act.OWN, Act.STOP, Act.FAIL),
                         scene.with(2, Act.PRESS).with(1, Act.GIVE_UP, Act.JUMP),
+                        scene.outOfOrder().with(2, Act.PRESS).with(1, Act.OWN, Act.JUMP),
+                        scene.with(1, Act.PRESS, Act.END, Act.JUMP),
                         scene.with(2, Act.PRESS).with(1, Act.OWN, Act.END, Act.ASK)));
         Stream<Scene> random = LongStream.concat(LongStream.rangeClosed(1, 8), LongStream.of(new Random().nextLong()))
                 .mapToObj(RandomPair::needing)
                 .map(scene -> scene.with(1, Act.PRESS, Act.OWN, Act.GIVE_UP, Act.FAIL, Act.STOP, Act.END, Act.ASK));
-        return Stream.concat(drawn, random).flatMap(ExplorationTest::bestAndWorst);
+        Stream<Scene> evolving = Stream.of(DeviceStateScenes.restingFan(), DeviceStateScenes.boostedFan())
+                .map(scene -> scene.with(2, Act.PRESS, Act.EVOLVE).with(1, Act.FAIL, Act.GIVE_UP, Act.END));
+        return Stream.of(drawn, random, evolving).flatMap(scenes -> scenes).flatMap(ExplorationTest::bestAndWorst);
     }
 
     @ParameterizedTest

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Outcome;
@@ -49,16 +48,11 @@ final class Invariants {
                         invariants.controllersHaveTheirPlaces(),
                         invariants.theSystemFollowsTheDevice(),
                         invariants.functionsRun(),
-                        invariants.noFunctionRunsWhileOtherModelsSettle(),
-                        invariants.theDeviceIsWhereItIsNeeded(),
-                        invariants.functionsStartWhereTheDeviceIsNeeded(),
-                        invariants.nothingIsDecidedWithTheDeviceElsewhere(),
-                        invariants.plansReachTheDeviceState(),
-                        invariants.anInterruptedPlanEndsWhereItLed())
+                        invariants.noFunctionRunsWhileOtherModelsSettle())
                 .stream()
                 .filter(problem -> !problem.isEmpty())
                 .findFirst()
-                .orElse("");
+                .orElseGet(() -> DeviceStateInvariants.check(before, input, said, after, world));
     }
 
     private String recordIsDevice() {
@@ -178,7 +172,7 @@ final class Invariants {
         return "";
     }
 
-    private static boolean isInDoubt(Snapshot snapshot) {
+    static boolean isInDoubt(Snapshot snapshot) {
         Doubt doubt = snapshot.doubt();
         return doubt != null && !doubt.settled();
     }
@@ -411,84 +405,10 @@ final class Invariants {
                 : "";
     }
 
-    /** Whatever has failed, and whatever the device did: in the end it is where the new model's state needs it. */
-    private String theDeviceIsWhereItIsNeeded() {
-        boolean quiet = after.open() && after.work() == null && after.waiting().isEmpty() && !after.followOwed();
-        return quiet && !isInDoubt(after) && !isWhereNeeded(after.at())
-                ? "needed: nothing brings the new model from " + after.at()
-                : "";
-    }
-
-    private boolean isWhereNeeded(Configuration at) {
-        return world.rules().table().isWhereNeeded(at);
-    }
-
-    /** The function of a state that needs the device starts only where that is certain, and nothing else is to be heard. */
-    private String functionsStartWhereTheDeviceIsNeeded() {
-        boolean needs = world.rules().table().needsDevice(after.at().evolved());
-        boolean certain = isWhereNeeded(after.at())
-                && !isInDoubt(after)
-                && after.waiting().stream().noneMatch(Pending::hasHappened);
-        return needs && !certain && said.stream().anyMatch(Output.Start.class::isInstance)
-                ? "start: a function in " + after
-                : "";
-    }
-
-    private String nothingIsDecidedWithTheDeviceElsewhere() {
-        for (Output output : said) {
-            if (output instanceof Output.Decided decided
-                    && !decided.pending().goesFirst()
-                    && !isWhereNeeded(before.at())) {
-                return "elsewhere: " + decided + " with the device where it is not needed";
-            }
-        }
-        return "";
-    }
-
-    /** What a function sends does not take the device out of the state's device state, either. */
-    private String plansReachTheDeviceState() {
-        for (Output output : said) {
-            if (output instanceof Output.Decided decided
-                    && decided.pending().own() == null
-                    && (decided.decision() instanceof Decision.NewState
-                            || decided.decision() instanceof Decision.Sending)
-                    && !(decided.pending().occurrence() instanceof Occurrence.Evolved)
-                    && !isWhereNeeded(decided.decision().after())) {
-                return "reached: " + decided;
-            }
-        }
-        return "";
-    }
-
-    /** A step whose effect was unknown has taken the device to where its plan leads: then the transition is taken. */
-    private String anInterruptedPlanEndsWhereItLed() {
-        Doubt doubt = before.doubt();
-        Decision interrupted = doubt == null ? null : doubt.interrupted();
-        boolean decided =
-                input instanceof Input.Located || (input instanceof Input.Planned && isOfReport(before.work()));
-        if (interrupted == null
-                || !decided
-                || isInDoubt(after)
-                || (after.doubt() != null && after.doubt().interrupted() != null)
-                || !before.at().evolved().equals(interrupted.before().evolved())
-                || !isWhereNeeded(interrupted.after().withOriginal(after.at().original()))) {
-            return "";
-        }
-        Work work = after.work();
-        boolean goesOn = work != null && work.decision() instanceof Decision.NewState;
-        return goesOn || after.at().evolved().equals(interrupted.after().evolved())
-                ? ""
-                : "interrupted: " + interrupted + " ends in " + after.at();
-    }
-
-    private static boolean isOfReport(@Nullable Work work) {
-        return work != null && work.pending().occurrence() instanceof Occurrence.Found;
-    }
-
     /** No function runs while the device may be sent to where the new model is; a closed converter sends nothing. */
     private String noFunctionRunsWhileOtherModelsSettle() {
         Work work = after.work();
-        boolean settling = (work != null && work.pending().occurrence() instanceof Occurrence.Evolved)
+        boolean settling = Snapshots.isOfOtherModels(work)
                 || after.waiting().stream().anyMatch(pending -> pending.occurrence() instanceof Occurrence.Evolved);
         return settling && after.open() && !after.visit().over() ? "settling: meanwhile there is " + after.visit() : "";
     }

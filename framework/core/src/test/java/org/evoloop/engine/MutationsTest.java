@@ -11,11 +11,21 @@ class MutationsTest {
     @ParameterizedTest
     @EnumSource
     void isNoticed(Mutation mutation) {
-        assertThat(Exploration.of(mutation.scene, Wiring.REAL, 20).violation())
+        assertNoticed(mutation);
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void isNoticedWhereAStateNeedsTheDevice(DeviceStateMutation mutation) {
+        assertNoticed(mutation);
+    }
+
+    private static void assertNoticed(Removal mutation) {
+        assertThat(Exploration.of(mutation.scene(), Wiring.REAL, 20).violation())
                 .as("with the mechanism")
                 .isEmpty();
-        assertThat(Exploration.of(mutation.scene, mutation.wiring(), 20).violation())
+        assertThat(Exploration.of(mutation.scene(), mutation.wiring(), 20).violation())
                 .as("without it")
-                .startsWith(mutation.invariant + ":");
+                .startsWith(mutation.invariant() + ":");
     }
 }

@@ -12,7 +12,7 @@ import java.util.Random;
 import java.util.Set;
 import java.util.function.BiFunction;
 import org.evoloop.engine.Scene.Act;
-import org.evoloop.engine.codec.SnapshotException;
+import org.evoloop.engine.codec.CodecException;
 import org.evoloop.engine.codec.SnapshotText;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.OnFailure;
@@ -131,7 +131,7 @@ class SnapshotTextTest {
         assertThat(text).contains(right);
 
         assertThatThrownBy(() -> SnapshotText.read(ROBOT, text.replace(right, wrong)))
-                .isInstanceOf(SnapshotException.class)
+                .isInstanceOf(CodecException.class)
                 .hasMessageStartingWith("snapshot, " + message);
     }
 
@@ -151,7 +151,7 @@ class SnapshotTextTest {
             }
             try {
                 new Core(ROBOT, SnapshotText.read(ROBOT, damaged.toString()), output -> {});
-            } catch (SnapshotException e) {
+            } catch (CodecException e) {
                 noticed++;
                 assertThat(e).as("seed %d, %s", seed, damaged).hasMessageStartingWith("snapshot, line ");
             }

@@ -2,10 +2,12 @@ package org.evoloop.engine;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
+import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
 /** Copies of snapshots with one change. */
@@ -83,6 +85,15 @@ final class Snapshots {
 
     static Work asking(Pending pending, Snapshot before) {
         return new Work(pending, new Decision.Inquiry(before.at()), 0, 0, "", Work.Stage.READY, List.of());
+    }
+
+    static Snapshot.OpenVisit due(Snapshot.OpenVisit of, Map<Event, Long> deadlines) {
+        return new Snapshot.OpenVisit(of.number(), of.over(), of.by(), deadlines, of.startOwed());
+    }
+
+    /** Whether it sends the device to where other models need it, which have taken over. */
+    static boolean isOfOtherModels(@Nullable Work work) {
+        return work != null && work.pending().occurrence() instanceof Occurrence.Evolved;
     }
 
     static Snapshot.OpenVisit owingNoStart(Snapshot.OpenVisit of) {

@@ -18,23 +18,25 @@ import org.junit.jupiter.params.provider.MethodSource;
 class TrailsTest {
     private static final Path TRAILS = Path.of(System.getProperty("evoloop.root"), "prism", "results", "proof");
 
-    static Stream<Mutation> ofTheSpecification() {
-        return Stream.of(Mutation.values()).filter(mutation -> Files.exists(trail(mutation)));
+    static Stream<Removal> ofTheSpecification() {
+        return Stream.<Removal[]>of(Mutation.values(), DeviceStateMutation.values())
+                .flatMap(Stream::of)
+                .filter(mutation -> Files.exists(trail(mutation)));
     }
 
-    private static Path trail(Mutation mutation) {
+    private static Path trail(Removal mutation) {
         return TRAILS.resolve(mutation.name().toLowerCase(Locale.ROOT).replace('_', '-') + ".txt");
     }
 
     @ParameterizedTest
     @MethodSource("ofTheSpecification")
-    void theCoreGoesTheSameWayWithoutTheMechanismOnly(Mutation mutation) throws IOException {
+    void theCoreGoesTheSameWayWithoutTheMechanismOnly(Removal mutation) throws IOException {
         List<String> lines = Files.readAllLines(trail(mutation));
 
-        assertThat(Trail.follow(mutation.scene, mutation.wiring(), lines))
+        assertThat(Trail.follow(mutation.scene(), mutation.wiring(), lines))
                 .as("without the mechanism")
                 .isEmpty();
-        assertThat(Trail.follow(mutation.scene, Wiring.REAL, lines))
+        assertThat(Trail.follow(mutation.scene(), Wiring.REAL, lines))
                 .as("with it")
                 .isNotEmpty();
     }

@@ -1,5 +1,6 @@
 package org.evoloop.device;
 
+import java.io.IOException;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
@@ -84,12 +85,16 @@ public abstract class Connection {
         return !assembled;
     }
 
-    /** Makes the components for this converter; nothing is opened before {@link Parts#open}. */
-    public final Parts assemble(SystemEventConverter converter) {
+    /**
+     * Makes the components for this converter; nothing is sent or asked before {@link Parts#open}.
+     *
+     * @throws IOException if this computer lacks what it takes; the message says what to do
+     */
+    public final Parts assemble(SystemEventConverter converter) throws IOException {
         assembled = true;
         return make(converter);
     }
 
     /** As {@link #assemble}. */
-    protected abstract Parts make(SystemEventConverter converter);
+    protected abstract Parts make(SystemEventConverter converter) throws IOException;
 }

@@ -11,6 +11,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import org.evoloop.check.timing.TimeRules;
+import org.evoloop.config.OptionLine;
+import org.evoloop.config.Options;
 import org.evoloop.converter.Effect;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.device.file.DeviceFileException;
@@ -48,7 +50,7 @@ public final class DeviceFile {
     private final Connections connections;
     private final FileKnowledge.Content knowledge;
     private final List<Scenario> scenarios;
-    private final List<String> options;
+    private final List<OptionLine> options;
 
     private DeviceFile(Path path, Reader reader, FileModels models, ModelReader read, Connections connections) {
         this.path = path;
@@ -66,15 +68,15 @@ public final class DeviceFile {
     /**
      * Reads a file; its models' paths are relative to its folder.
      *
-     * @param programOptions the names of the options that every program has, which the file may have, too
+     * @param programOptions those that every program has, which the file may have, too
      * @throws DeviceFileException with all mistakes
      */
-    public static DeviceFile read(Path file, Collection<String> programOptions) {
+    public static DeviceFile read(Path file, Options programOptions) {
         Problems problems = new Problems(file);
         return read(Section.read(file, problems), problems, programOptions);
     }
 
-    static DeviceFile read(Section file, Problems problems, Collection<String> programOptions) {
+    static DeviceFile read(Section file, Problems problems, Options programOptions) {
         ModelReader read = ModelReader.read(file, problems);
         FileModels models = new FileModels(read.known(), problems);
         Connections connections = Connections.read(file, models);
@@ -124,8 +126,8 @@ public final class DeviceFile {
         return own;
     }
 
-    /** The program's options that the file has, each as {@code --NAME=VALUE}. */
-    public List<String> options() {
+    /** The program's options that the file has. */
+    public List<OptionLine> options() {
         return options;
     }
 
@@ -156,8 +158,8 @@ public final class DeviceFile {
     /** Reads the sections of a file that use its connections. */
     private static final class Reader {
         /** Whatever has one of these keys is a rule, and no short form. */
-        private static final Set<String> RULE_KEYS =
-                Set.of("from", "values", "event", "state", "line", "topic", "json", "pattern", "ranges");
+        private static final Set<String> RULE_KEYS = Set.of(
+                "from", "values", "event", "state", "line", "topic", "json", "pattern", "ranges", "steady", "contact");
 
         private final Section file;
         private final FileModels models;
@@ -168,7 +170,7 @@ public final class DeviceFile {
         private final Map<String, Integer> costs = new LinkedHashMap<>();
         private final Set<String> doNotPass = new LinkedHashSet<>();
         private final List<Scenario> scenarios = new ArrayList<>();
-        private final List<String> options = new ArrayList<>();
+        private final List<OptionLine> options = new ArrayList<>();
         private final String name;
         private final Guards guards;
         private final FileKnowledge.Content content;
@@ -183,7 +185,7 @@ public final class DeviceFile {
             this.content = new FileKnowledge.Content(functions, guards.all(), effects, costs, doNotPass);
         }
 
-        void read(Collection<String> programOptions) {
+        void read(Options programOptions) {
             file.section("device").ifPresent(this::device);
             file.section("controller").ifPresent(controller -> {
                 rules(controller, "press", Connection::press);
@@ -195,10 +197,22 @@ public final class DeviceFile {
             });
             file.section("effects").ifPresent(all -> all.keys().forEach(text -> effect(all, text)));
             file.section("scenarios").ifPresent(all -> scenarios.addAll(Scenario.read(all, models)));
-            for (String option : programOptions) {
-                file.text(option).ifPresent(value -> options.add("--" + option + "=" + value));
-            }
+            programOptions.names().forEach(this::option);
+            programOptions.check(options, file.problems()::at);
             file.done();
+        }
+
+        private void option(String option) {
+            Node found = file.any(option).orElse(null);
+            List<Node.Text> values = file.texts(option);
+            if (found != null && !values.isEmpty()) {
+                options.add(new OptionLine(
+                        option,
+                        values.stream().map(Node.Text::value).toList(),
+                        found instanceof Node.Items,
+                        file.problems().file(),
+                        found.line()));
+            }
         }
 
         private void device(Section device) {

@@ -1,10 +1,10 @@
 package org.evoloop.device;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
-import java.util.stream.Stream;
 import org.evoloop.config.Option;
 import org.evoloop.config.Options;
 import org.evoloop.console.ConsoleCommand;
@@ -36,11 +36,9 @@ public final class DeviceProgram {
         this.file = file;
     }
 
-    /** The names of the options that a device file may have, as every program has them. */
-    public static Set<String> options() {
-        return Set.copyOf(ServiceOptions.OPTIONS
-                .and(PageOptions.OPTIONS, MqttOptions.OPTIONS)
-                .names());
+    /** The options that a device file may have, as every program has them. */
+    public static Options options() {
+        return ServiceOptions.OPTIONS.and(PageOptions.OPTIONS, MqttOptions.OPTIONS);
     }
 
     /**
@@ -51,11 +49,7 @@ public final class DeviceProgram {
      * @throws org.evoloop.device.file.DeviceFileException with all mistakes in the file
      */
     public static int run(Path path, List<String> arguments) {
-        DeviceFile file = DeviceFile.read(path, options());
-        String[] all = Stream.concat(
-                        file.options().stream().filter(option -> !isGiven(option, arguments)), arguments.stream())
-                .toArray(String[]::new);
-        return program(file).run(all);
+        return program(DeviceFile.read(path, options())).run(arguments.toArray(String[]::new));
     }
 
     /**
@@ -69,22 +63,19 @@ public final class DeviceProgram {
                 .run("--help");
     }
 
-    private static boolean isGiven(String option, List<String> arguments) {
-        String name = option.substring(0, option.indexOf('='));
-        return arguments.stream().anyMatch(given -> given.equals(name) || given.startsWith(name + "="));
-    }
-
     private static Program program(DeviceFile file) {
         ProgramModels models = file.programModels();
         return Program.named(file.name(), "Runs the converter of the device file " + file.path() + ".")
                 .models(() -> models)
                 .options(Options.of(SIMULATE))
+                .options(file.options())
                 .converter(file.name(), new DeviceProgram(file)::assemble);
     }
 
-    private void assemble(ProgramSetup setup) {
+    private void assemble(ProgramSetup setup) throws IOException {
         setup.controller(new PushMonitor("Console"));
-        if (setup.settings().get(SIMULATE).orElse(false)) {
+        // What is only shown touches no device.
+        if (setup.settings().isOn(SIMULATE) || setup.settings().isOnlyShown()) {
             simulate(setup);
         } else {
             connect(setup);
@@ -106,7 +97,7 @@ public final class DeviceProgram {
                 () -> device.put(setup.converter().status().states().original().name()));
     }
 
-    private void connect(ProgramSetup setup) {
+    private void connect(ProgramSetup setup) throws IOException {
         List<DeviceLink> links = new ArrayList<>();
         for (Connection connection : file.connections()) {
             Parts parts = connection.assemble(setup.converter());

@@ -174,14 +174,6 @@ public final class FileModels {
         for (Node.Text event : sentByFunctions) {
             require(event, "an event that is sent to the device", sent);
         }
-        Set<String> both = new LinkedHashSet<>(sent);
-        both.retainAll(devicesOwn);
-        if (!both.isEmpty()) {
-            problems.at(
-                    place,
-                    "the device takes " + String.join(", ", both)
-                            + ", and raises it by itself; an event is either sent or the device's own");
-        }
         if (pair == null) {
             pressed.stream()
                     .filter(event -> !sent.contains(event))

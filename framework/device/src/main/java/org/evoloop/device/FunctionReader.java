@@ -7,7 +7,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
 import org.jspecify.annotations.Nullable;
@@ -103,22 +102,30 @@ final class FunctionReader {
         };
     }
 
-    /** For messages: {@code to panel: LED ON}. */
-    private static String what(Section section) {
+    /** For messages: {@code to panel: LED ON}; without what may be secret, as a program's arguments. */
+    private static String what(Connection connection, Section section) {
+        if (section.has("run")) {
+            return "run "
+                    + section.texts("run").stream()
+                            .map(Node.Text::value)
+                            .findFirst()
+                            .orElse("");
+        }
         String more = section.keys().stream()
-                .filter(key -> !List.of("to", "every", "time", "within").contains(key.value()))
+                .filter(key -> !List.of("to", "every", "time", "within", "body").contains(key.value()))
                 .flatMap(key -> section.any(key.value()).stream())
-                .flatMap(node -> node instanceof Node.Items list ? list.items().stream() : Stream.of(node))
                 .filter(Node.Text.class::isInstance)
-                .map(Node::toString)
+                .map(text -> text.toString().replaceFirst("^([A-Z]+ /[^?]*)\\?.*", "$1"))
                 .collect(Collectors.joining(" "));
-        return section.text("to").map(to -> "to " + to + ": ").orElse("run ") + more;
+        return "to " + connection.name() + ": " + more;
     }
 
     /** What is done outside of the converter: {@code to: CONNECTION}, and what that connection asks for. */
     Action.@Nullable Do outward(Section section) {
         Connection connection = connections.named(section, "to");
         Outward outward = connection == null ? null : connection.outward(section);
-        return connection == null || outward == null ? null : new Action.Do(connection, what(section), outward);
+        return connection == null || outward == null
+                ? null
+                : new Action.Do(connection, what(connection, section), outward);
     }
 }

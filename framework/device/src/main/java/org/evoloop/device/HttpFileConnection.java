@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.evoloop.converter.SystemEventConverter;
@@ -22,6 +23,7 @@ import org.jspecify.annotations.Nullable;
 /** A device that answers HTTP requests, made of a {@link HttpPoll} and a {@link HttpExecute}. */
 final class HttpFileConnection extends Connection {
     private static final Pattern CALL = Pattern.compile("(?<method>GET|POST|PUT) (?<path>/\\S*)");
+    private static final Pattern STATUSES = Pattern.compile("(?<from>[1-9][0-9]{2})(?:\\.\\.(?<to>[1-9][0-9]{2}))?");
 
     private final FileModels models;
     private final @Nullable String base;
@@ -40,7 +42,14 @@ final class HttpFileConnection extends Connection {
         this.base = base;
         this.models = models;
         this.headers = new LinkedHashMap<>();
-        section.pairs("headers").forEach((key, value) -> headers.put(key.value(), value.value()));
+        section.pairs("headers").forEach((key, value) -> {
+            try {
+                HttpCall.get("http://any").header(key.value(), value.value());
+                headers.put(key.value(), value.value());
+            } catch (IllegalArgumentException refused) {
+                section.problems().at(key, String.valueOf(refused.getMessage()));
+            }
+        });
         this.within = section.duration("within").orElse(Duration.ofSeconds(2));
         this.every = section.period("every").orElse(Duration.ofSeconds(5));
         this.downAfter = section.number("down-after", 1, 1000).orElse(3);
@@ -61,7 +70,8 @@ final class HttpFileConnection extends Connection {
     private HttpCall call(String text, String body) {
         Matcher parts = CALL.matcher(text);
         if (!parts.matches()) {
-            throw new IllegalArgumentException("'" + text + "' is no request; write one such as POST /power");
+            throw new IllegalArgumentException(
+                    "'" + text.replaceFirst("[?].*", "?...") + "' is no request; write one such as POST /power");
         }
         String address = (base == null ? "http://refused" : base) + parts.group("path");
         HttpCall call = switch (parts.group("method")) {
@@ -82,9 +92,32 @@ final class HttpFileConnection extends Connection {
 
     @Override
     public void send(Node.Text event, Section how) {
+        request(how).ifPresent(call -> calls.put(event.value(), call));
+    }
+
+    @Override
+    public @Nullable Outward outward(Section action) {
+        HttpCall call = request(action).orElse(null);
+        return call == null ? null : values -> call.send(values, within);
+    }
+
+    private Optional<HttpCall> request(Section how) {
         String body = how.text("body").map(Node.Text::value).orElse("");
+        UnaryOperator<HttpCall> accepting =
+                how.value("accepted", HttpFileConnection::statuses).orElse(UnaryOperator.identity());
         how.require("call");
-        how.value("call", text -> call(text, body)).ifPresent(call -> calls.put(event.value(), call));
+        return how.value("call", text -> call(text, body)).map(accepting);
+    }
+
+    private static UnaryOperator<HttpCall> statuses(String text) {
+        Matcher range = STATUSES.matcher(text);
+        if (!range.matches()) {
+            throw new IllegalArgumentException("'" + text + "' is no range of statuses; write 200..299 or 204");
+        }
+        int from = Integer.parseInt(range.group("from"));
+        int to = range.group("to") == null ? from : Integer.parseInt(range.group("to"));
+        HttpCall.get("http://any").accepting(from, to);
+        return call -> call.accepting(from, to);
     }
 
     private void requirePoll(Section rule) {

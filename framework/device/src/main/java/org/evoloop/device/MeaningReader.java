@@ -1,5 +1,6 @@
 package org.evoloop.device;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -15,7 +16,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Reads what messages mean: {@code {json: /state, values: {ON: Heating}}}, {@code {pattern: "turn (?<degrees>[0-9]+)", event:
- * turn}} or {@code {json: /power, ranges: {Heating: 100..}}}.
+ * turn}} or {@code {json: /power, ranges: {Heating: 100..}, steady: 2 s}}.
  */
 final class MeaningReader {
     private static final Pattern RANGE =
@@ -60,7 +61,7 @@ final class MeaningReader {
             }
             default -> {}
         }
-        return meanings;
+        return meanings.lasting(rule.period("steady").orElse(Duration.ZERO));
     }
 
     /** The value at a JSON pointer, if {@code rule} has one. */

@@ -37,9 +37,11 @@ final class MqttFileConnection extends Connection {
     private final List<Consumer<MqttMonitor>> rules = new ArrayList<>();
     private final List<Consumer<MqttExecute>> duties = new ArrayList<>();
     private final Map<String, Message> messages = new LinkedHashMap<>();
-    private final Map<String, Meanings> states = new LinkedHashMap<>();
+    private final List<StateRule> states = new ArrayList<>();
     private boolean sends;
     private volatile @Nullable BrokerConnection opened;
+
+    private record StateRule(String topic, Meanings states) {}
 
     private MqttFileConnection(
             String name,
@@ -56,10 +58,14 @@ final class MqttFileConnection extends Connection {
 
     static MqttFileConnection read(String name, Section section, FileModels models) {
         BrokerAddress address = section.value("mqtt", BrokerAddress::parse).orElse(null);
-        Optional<String> password = section.value(
-                "password-file", file -> Secret.read(section.problems().file().resolveSibling(file)));
-        if (address != null && password.isPresent()) {
-            address = address.withPassword(password.get());
+        BrokerAddress given = address;
+        if (given != null) {
+            // The address may name no user.
+            address = section.value(
+                            "password-file",
+                            file -> given.withPassword(
+                                    Secret.read(section.problems().file().resolveSibling(file))))
+                    .orElse(given);
         }
         MqttFileConnection connection = new MqttFileConnection(
                 name, address, topic(section, "command-topic"), topic(section, "state-topic"), models);
@@ -128,7 +134,7 @@ final class MqttFileConnection extends Connection {
         String topic = topicOf(rule);
         Meanings meanings = MeaningReader.read(rule, "state", models::deviceState);
         if (topic != null) {
-            states.put(topic, meanings);
+            states.add(new StateRule(topic, meanings));
             rules.add(monitor -> monitor.found(topic, meanings));
         }
     }
@@ -174,15 +180,15 @@ final class MqttFileConnection extends Connection {
         device.section("confirmed").ifPresent(confirmed -> {
             Duration within = confirmed.duration("within").orElse(Duration.ofSeconds(2));
             requireStates(confirmed);
-            states.forEach((topic, meanings) -> duties.add(execute -> execute.confirmedBy(topic, meanings, within)));
+            states.forEach(rule -> duties.add(execute -> execute.confirmedBy(rule.topic(), rule.states(), within)));
             confirmed.done();
         });
         device.section("ask").ifPresent(ask -> {
             Duration within = ask.duration("within").orElse(Duration.ofSeconds(2));
             requireStates(ask);
             message(ask)
-                    .ifPresent(question -> states.forEach((topic, meanings) ->
-                            duties.add(execute -> execute.asking(question, topic, meanings, within))));
+                    .ifPresent(question -> states.forEach(rule ->
+                            duties.add(execute -> execute.asking(question, rule.topic(), rule.states(), within))));
             ask.done();
         });
         device.duration("ready-after").ifPresent(pause -> duties.add(execute -> execute.readyAfter(pause)));
@@ -219,7 +225,7 @@ final class MqttFileConnection extends Connection {
         opened = connection;
         MqttDevice device = new MqttDevice(connection, converter.clock());
         settings.forEach(each -> each.accept(device));
-        MqttMonitor monitor = new MqttMonitor(name(), connection);
+        MqttMonitor monitor = new MqttMonitor(name(), device);
         rules.forEach(each -> each.accept(monitor));
         List<MqttExecute> executes = new ArrayList<>();
         if (!messages.isEmpty()) {

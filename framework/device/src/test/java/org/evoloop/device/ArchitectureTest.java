@@ -18,6 +18,7 @@ class ArchitectureTest {
             .dependOnClassesThat()
             .resideOutsideOfPackages(
                     "org.evoloop.device.file..",
+                    "org.evoloop.config..",
                     "org.evoloop.statemachine..",
                     "org.snakeyaml..",
                     "org.jspecify..",

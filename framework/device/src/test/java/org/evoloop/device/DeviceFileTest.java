@@ -8,7 +8,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import org.evoloop.config.Settings;
 import org.evoloop.device.file.DeviceFileException;
+import org.evoloop.page.PageOptions;
+import org.evoloop.service.ServiceOptions;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -86,7 +90,7 @@ class DeviceFileTest {
     }
 
     private DeviceFile read(String text) throws IOException {
-        return DeviceFile.read(Files.writeString(folder.resolve("fan.yaml"), text), List.of("journal", "page"));
+        return DeviceFile.read(Files.writeString(folder.resolve("fan.yaml"), text), DeviceProgram.options());
     }
 
     private List<String> mistakes(String text) {
@@ -114,9 +118,32 @@ class DeviceFileTest {
     }
 
     @Test
-    void theProgramsOptionsMayStandInIt() throws IOException {
-        assertThat(read(FAN + "journal: kept\npage: 8080\n").options())
-                .containsExactly("--journal=kept", "--page=8080");
+    void theProgramsOptionsMayStandInItAndTheirPathsAreRelativeToIt() throws IOException {
+        DeviceFile fan = read(FAN + "journal: kept\npage: 8080\nstart: true\n");
+        Settings settings = DeviceProgram.options().read(List.of("--page=9090"), fan.options(), Map.of());
+        ServiceOptions service = ServiceOptions.of(settings);
+        assertThat(service.journal()).isEqualTo(folder.resolve("kept"));
+        assertThat(service.start()).isTrue();
+        assertThat(PageOptions.of(settings).port()).isEqualTo(9090);
+    }
+
+    @Test
+    void aMistakeInAProgramsOptionHasItsLine() {
+        int line = (int) FAN.lines().count();
+        assertThat(mistakes(FAN + "page: many\nstart: maybe\nmqtt: [a, b]\nname: ''\njournal: {a: b}\n"
+                        + "mqtt-password: secret\n"))
+                .satisfiesExactly(
+                        page -> assertThat(page).startsWith("fan.yaml:" + (line + 1) + ": page"),
+                        start -> assertThat(start)
+                                .isEqualTo("fan.yaml:" + (line + 2)
+                                        + ": start: 'maybe' is neither true nor false; write one of them"),
+                        mqtt -> assertThat(mqtt)
+                                .isEqualTo("fan.yaml:" + (line + 3) + ": mqtt takes one value, not a list"),
+                        name -> assertThat(name).startsWith("fan.yaml:" + (line + 4) + ": name"),
+                        journal -> assertThat(journal).startsWith("fan.yaml:" + (line + 5) + ": journal is a mapping"),
+                        password -> assertThat(password)
+                                .startsWith("fan.yaml:" + (line + 6) + ": 'mqtt-password' is not known")
+                                .contains("mqtt-password-file"));
     }
 
     @Test
@@ -145,11 +172,10 @@ class DeviceFileTest {
                 "Breeze: {every | Breze: {every | fan.yaml:16: 'Breze' is not a state of the new model; did you mean Breeze?",
                 "every: 3 s | every: 3 | fan.yaml:16: every: '3' is no duration; write a number and a unit, such as 500 ms, 10 s, 5 min or 2 h",
                 "lines: 'tcp://127.0.0.1:4001' | lines: '127.0.0.1:4001' | fan.yaml:4: lines: '127.0.0.1:4001' is no address; write tcp://HOST:PORT, serial:///dev/ttyUSB0 or unix:///run/device.sock",
-                "lines: | lnes: | fan.yaml:4: connections.fan needs one of http, lines, mqtt, program, webhooks; did you mean lines?",
+                "lines: | lnes: | fan.yaml:4: connections.fan needs one of gpio, http, lines, mqtt, program, webhooks; did you mean lines?",
                 "T ([0-9]+) | T [0-9]+ | fan.yaml:12: the pattern 'T [0-9]+' has no group; put the value in parentheses",
                 "button breeze: breeze | button breeze: breze | fan.yaml:14: 'breze' is not an event of the models; did you mean breeze?",
                 "fan.md#new | fan.md#now | fan.yaml:2: ",
-                "does: {overheated: overheat} | does: {overheated: power} | fan.yaml:6: the device takes power, and raises it by itself; an event is either sent or the device's own",
                 "send: speed} | send: sped} | fan.yaml:16: 'sped' is not an event that is sent to the device; did you mean speed?",
                 "after: 7 s | aftr: 7 s | fan.yaml:21: 'aftr' is not known in scenarios.a breeze changes the speed until it is stopped; did you mean after?",
                 "Breeze: {every: 3 s, send: speed} | Low: {} | fan.yaml:16: 'Low' is a state of the device, which has no function; only new states have",

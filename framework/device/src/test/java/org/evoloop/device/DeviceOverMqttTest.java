@@ -1,12 +1,13 @@
 package org.evoloop.device;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import org.evoloop.config.Options;
 import org.evoloop.device.file.DeviceFileException;
 import org.evoloop.mqtt.Mosquitto;
 import org.evoloop.mqtt.Watcher;
@@ -106,6 +107,38 @@ class DeviceOverMqttTest {
     }
 
     @Test
+    void eachOfTheRulesOnATopicConfirmsAndWhatMustBeSteadyDoesSoWhenItIs() throws Exception {
+        String rules =
+                "[{json: /mode, values: {off: \"Off\"}}, {json: /watt, ranges: {Warm: 100..500, Hot: 500..}, steady: 50 ms}]";
+        try (Mosquitto broker = new Mosquitto(folder).start();
+                Watcher watcher = new Watcher(broker)) {
+            Path file = Files.writeString(
+                    folder.resolve("heater.yaml"),
+                    HEATER.replace("BROKER", broker.url())
+                            .replace("{json: /mode, values: {off: \"Off\", warm: Warm, hot: Hot}}", rules)
+                            .replace("within: 1 s", "within: 20 s"));
+            watcher.publish("heater", "{\"mode\":\"on\",\"watt\":200}", true);
+            CompletableFuture<Integer> status = console.run(file, "--start");
+            console.awaitHistory("-> (Warm, Warm)");
+
+            watcher.publish("remote", "{\"action\":\"single\"}", false);
+            watcher.awaitHeard("heater/set", "power");
+            watcher.publish("heater", "{\"mode\":\"off\",\"watt\":0}", false);
+            console.awaitHistory("power (controller)  (Warm, Warm) -> (Off, Off)");
+
+            watcher.publish("remote", "{\"action\":\"single\"}", false);
+            await().until(() -> watcher.heard().stream()
+                            .filter(line -> line.contains("power"))
+                            .count()
+                    == 2);
+            watcher.publish("heater", "{\"mode\":\"on\",\"watt\":900}", false);
+            watcher.publish("heater", "{\"mode\":\"on\",\"watt\":200}", false);
+            console.awaitHistory("power (controller)  (Off, Off) -> (Warm, Warm)");
+            console.exit(status);
+        }
+    }
+
+    @Test
     void whatAConnectionCannotBeAskedIsAMistakeInItsLine() throws IOException {
         String wrong = HEATER.replace("BROKER", "http://x")
                 .replace("heater/set", "heater/#")
@@ -114,7 +147,7 @@ class DeviceOverMqttTest {
         Path file = Files.writeString(folder.resolve("heater.yaml"), wrong);
         DeviceFileException refused = null;
         try {
-            DeviceFile.read(file, List.of());
+            DeviceFile.read(file, Options.of());
         } catch (DeviceFileException problem) {
             refused = problem;
         }

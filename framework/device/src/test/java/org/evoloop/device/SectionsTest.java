@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import org.evoloop.config.Options;
 import org.evoloop.converter.DeviceLink;
 import org.evoloop.device.file.DeviceFileException;
 import org.evoloop.evolution.Values;
@@ -79,7 +80,7 @@ class SectionsTest {
     }
 
     private DeviceFile read(String text) throws IOException {
-        return DeviceFile.read(Files.writeString(folder.resolve("lamp.yaml"), text), List.of());
+        return DeviceFile.read(Files.writeString(folder.resolve("lamp.yaml"), text), Options.of());
     }
 
     @Test
@@ -209,11 +210,11 @@ class SectionsTest {
 
     @Test
     void aFileThatIsNoneIsRefusedWithItsName() throws IOException {
-        assertThatThrownBy(() -> DeviceFile.read(folder, List.of())).hasMessageContaining("is a directory");
+        assertThatThrownBy(() -> DeviceFile.read(folder, Options.of())).hasMessageContaining("is a directory");
         Path binary = Files.write(folder.resolve("b.yaml"), new byte[] {(byte) 0xff, (byte) 0xfe});
-        assertThatThrownBy(() -> DeviceFile.read(binary, List.of())).hasMessageContaining("is not text in UTF-8");
+        assertThatThrownBy(() -> DeviceFile.read(binary, Options.of())).hasMessageContaining("is not text in UTF-8");
         Path large = Files.writeString(folder.resolve("l.yaml"), "#".repeat(1 << 19));
-        assertThatThrownBy(() -> DeviceFile.read(large, List.of())).hasMessageContaining("larger than 256 kB");
+        assertThatThrownBy(() -> DeviceFile.read(large, Options.of())).hasMessageContaining("larger than 256 kB");
         assertThatThrownBy(() -> read("a: ".repeat(3) + "[".repeat(200))).isInstanceOf(DeviceFileException.class);
         assertThatThrownBy(() -> read("converter: !x y\n")).hasMessageContaining("tags (!) are not supported");
         assertThatThrownBy(() -> read("converter: x\n---\na: b\n")).hasMessageContaining("a second document begins");

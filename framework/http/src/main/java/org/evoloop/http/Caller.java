@@ -17,7 +17,6 @@ import javax.net.ssl.SSLSocketFactory;
  */
 final class Caller {
     private static final int ATTEMPTS = 3;
-    private static final int OK = 200;
     private static final int REDIRECTED = 300;
     private static final int WRONG = 400;
 
@@ -39,7 +38,7 @@ final class Caller {
      * Sends a request.
      *
      * @throws UnansweredException if there is no answer, or the part that is used is incomplete
-     * @throws IOException if the device cannot be reached, or answers with a status other than 200 to 299
+     * @throws IOException if the device cannot be reached, or answers with a status that the call does not accept
      */
     <T> T call(HttpCall call, Use<T> use) throws IOException, InterruptedException {
         for (int attempt = 1; ; attempt++) {
@@ -73,7 +72,7 @@ final class Caller {
                 socket.getOutputStream().write(call.bytes());
                 socket.getOutputStream().flush();
                 reply = Reply.read(left.of(socket));
-                if (reply.status() >= OK && reply.status() < REDIRECTED) {
+                if (call.accepts(reply.status())) {
                     return use.of(reply);
                 }
             } catch (IOException failure) {

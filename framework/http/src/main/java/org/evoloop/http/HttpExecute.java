@@ -32,7 +32,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Address and body may contain the event's values, see {@link Template}.
  *
- * <p>A step has been executed when the device answers with a status of 200 to 299. It fails if the answer has another
+ * <p>A step has been executed when the device answers with a status that the call {@linkplain HttpCall#accepting accepts}. It fails if the answer has another
  * status or does not come in time. In the latter case the request may or may not have arrived: it is never sent again,
  * unless it {@linkplain HttpCall#canBeRepeated() can be}. If the device's state can be asked for, it is asked instead.
  * Redirects are not followed.

@@ -21,6 +21,7 @@ import org.evoloop.payload.Meanings;
 import org.evoloop.payload.Meanings.Meaning;
 import org.evoloop.payload.Part;
 import org.evoloop.payload.Readings;
+import org.evoloop.payload.Steady;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
@@ -40,7 +41,8 @@ import org.jspecify.annotations.Nullable;
  * converter.addLink(espresso);
  * }</pre>
  *
- * <p>What an answer means is reported when it changes; a state, whenever the converter's record differs.
+ * <p>What an answer means is reported when it changes; a state, whenever the converter's record differs. What must
+ * {@linkplain Meanings#lasting(Duration) hold for a time} counts at the first answer after that time.
  *
  * <p>Lifecycle: configure it, then {@link #open} after the converter has been built; {@link #close}.
  *
@@ -60,6 +62,7 @@ public class HttpPoll extends PushMonitor implements DeviceLink, AutoCloseable {
     private final List<Report> reports = new ArrayList<>();
     private final Set<String> devicesOwn = new LinkedHashSet<>();
     private Meanings states = Meanings.NONE;
+    private @Nullable Steady steady;
     private ReentrantLock turn = new ReentrantLock();
     private boolean inferring;
     private @Nullable Thread thread;
@@ -68,22 +71,27 @@ public class HttpPoll extends PushMonitor implements DeviceLink, AutoCloseable {
     /** Events that are reported when the answer begins to mean them. */
     private static final class Report {
         private final Meanings events;
+        private final Steady steady;
         private final Consumer<Meaning> report;
         private Optional<Meaning> last = Optional.empty();
         private boolean heard;
 
-        private Report(Meanings events, Consumer<Meaning> report) {
+        private Report(Meanings events, Clock clock, Consumer<Meaning> report) {
             this.events = events;
+            this.steady = new Steady(clock, events.lasting());
             this.report = report;
         }
 
         private void hear(String answer) {
             Optional<Meaning> now = events.of(answer);
-            if (heard && !last.equals(now)) {
-                now.ifPresent(report);
+            steady.see(now);
+            if (!heard || now.isEmpty()) {
+                last = now;
+            } else if (steady.counts(now.get()) && !last.equals(now)) {
+                last = now;
+                report.accept(now.get());
             }
             heard = true;
-            last = now;
         }
     }
 
@@ -111,6 +119,7 @@ public class HttpPoll extends PushMonitor implements DeviceLink, AutoCloseable {
     /** Sets the states of the original model, by what the answer says. */
     public final HttpPoll found(Meanings meanings) {
         states = meanings;
+        steady = new Steady(converter.clock(), meanings.lasting());
         return this;
     }
 
@@ -129,14 +138,14 @@ public class HttpPoll extends PushMonitor implements DeviceLink, AutoCloseable {
 
     /** Sets events of a controller that the answer reports; each occurs when the answer begins to mean it. */
     public final HttpPoll controller(Meanings events) {
-        reports.add(new Report(events, event -> push(fromController(event.name(), event.values()))));
+        reports.add(new Report(events, converter.clock(), event -> push(fromController(event.name(), event.values()))));
         return this;
     }
 
     /** Sets what the device does by itself; see {@link #controller}. */
     public final HttpPoll device(Meanings events) {
         devicesOwn.addAll(events.names());
-        reports.add(new Report(events, event -> push(fromDevice(event.name(), event.values()))));
+        reports.add(new Report(events, converter.clock(), event -> push(fromDevice(event.name(), event.values()))));
         return this;
     }
 
@@ -188,13 +197,22 @@ public class HttpPoll extends PushMonitor implements DeviceLink, AutoCloseable {
             String answer = health.noting(() -> caller.call(question, Reply::body));
             readings.hear("", answer);
             reports.forEach(report -> report.hear(answer));
-            states.nameOf(answer).ifPresent(this::locate);
+            hearState(answer);
         } catch (IOException missed) {
             if (!health.isUp()) {
                 readings.clear();
             }
         } finally {
             turn.unlock();
+        }
+    }
+
+    private void hearState(String answer) {
+        Optional<Meaning> now = states.of(answer);
+        Steady lasting = steady;
+        if (lasting != null) {
+            lasting.see(now);
+            now.filter(lasting::counts).ifPresent(state -> locate(state.name()));
         }
     }
 

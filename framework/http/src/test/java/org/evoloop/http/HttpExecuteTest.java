@@ -137,6 +137,23 @@ class HttpExecuteTest {
     }
 
     @Test
+    void anotherStatusCanMeanThatItObeys() throws Exception {
+        HttpExecute execute = lamp(HttpCall.post(address("/toggle"), "").accepting(300, 302), Lamp.PATIENCE);
+        try (Lamp lamp = new Lamp(wall, execute)) {
+            toggled = "200 OK";
+            wall.press("switch");
+            lamp.awaitHistory("was answered with status 200");
+            lamp.awaitState("off");
+            toggled = "302 Found";
+            wall.press("switch");
+            lamp.awaitState("on");
+        }
+        assertThatThrownBy(() -> HttpCall.get("http://lamp").accepting(300, 200))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("from 300 to 200");
+    }
+
+    @Test
     void aDeviceThatIsNotThereIsNamed() throws Exception {
         device.close();
         try (Lamp lamp = new Lamp(wall, lamp(HttpCall.get(address("/toggle")), Lamp.PATIENCE))) {

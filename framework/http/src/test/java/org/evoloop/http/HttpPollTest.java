@@ -183,6 +183,21 @@ class HttpPollTest {
     }
 
     @Test
+    void whatMustBeSteadyCountsAtTheFirstAnswerAfterItsTime() {
+        poll.found(STATES.lasting(SECOND.multipliedBy(2)));
+        shows("ready");
+        nextPoll();
+        shows("heating");
+        nextPoll();
+        shows("ready");
+        nextPoll();
+        nextPoll();
+        assertThat(record()).isEqualTo("Off");
+        nextPoll();
+        awaitRecord("Ready");
+    }
+
+    @Test
     void aStepThatTheDeviceHasCarriedOutIsNotTakenForItsOwnEvent() {
         shows("ready");
         nextPoll();

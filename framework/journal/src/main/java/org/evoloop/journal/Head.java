@@ -2,7 +2,6 @@ package org.evoloop.journal;
 
 import java.time.Duration;
 import java.time.Instant;
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -11,6 +10,8 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.evoloop.engine.Rules;
+import org.evoloop.engine.codec.ByteItems;
+import org.evoloop.engine.codec.ByteWriter;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
@@ -103,7 +104,7 @@ record Head(
         return Instant.ofEpochSecond(0, wallNanos + nanos - nowNanos);
     }
 
-    void write(Bytes bytes) {
+    void write(ByteWriter bytes) {
         bytes.clear();
         bytes.text(fingerprint);
         bytes.text(built);
@@ -135,7 +136,7 @@ record Head(
         bytes.number(pressAge.toNanos());
     }
 
-    private static void onFailure(Bytes bytes, Map<State, Map<String, OnFailure>> all) {
+    private static void onFailure(ByteWriter bytes, Map<State, Map<String, OnFailure>> all) {
         bytes.number(all.size());
         new TreeMap<>(all).forEach((state, byEvent) -> {
             bytes.text(state.name());
@@ -147,7 +148,7 @@ record Head(
         });
     }
 
-    private static Map<State, Map<String, OnFailure>> onFailure(Cursor cursor) {
+    private static Map<State, Map<String, OnFailure>> onFailure(ByteItems cursor) {
         Map<State, Map<String, OnFailure>> all = new HashMap<>();
         for (int left = cursor.count(); left > 0; left--) {
             Map<String, OnFailure> byEvent = new HashMap<>();
@@ -159,16 +160,15 @@ record Head(
         return all;
     }
 
-    private static void events(Bytes bytes, Collection<Event> events) {
+    private static void events(ByteWriter bytes, Collection<Event> events) {
         texts(bytes, events.stream().map(Event::name).toList());
     }
 
-    private static void texts(Bytes bytes, Collection<String> texts) {
-        bytes.number(texts.size());
-        texts.stream().sorted().forEach(bytes::text);
+    private static void texts(ByteWriter bytes, Collection<String> texts) {
+        bytes.names(texts.stream().sorted().toList());
     }
 
-    static Head read(Cursor cursor) {
+    static Head read(ByteItems cursor) {
         String fingerprint = cursor.text();
         String built = cursor.text();
         StateMachine original = MachineBytes.read(cursor);
@@ -182,30 +182,29 @@ record Head(
             timers.put(new State(cursor.text()), timersOfState(cursor));
         }
         int capacity = (int) cursor.number();
-        // A segment of the time before presses had an age does not have it.
-        Duration pressAge = cursor.isAtEnd() ? Rules.ANY_AGE : Duration.ofNanos(cursor.number());
-        cursor.requireEnd();
+        Duration pressAge = Duration.ofNanos(cursor.number());
+        cursor.endsAll();
         return new Head(fingerprint, built, models, boot, wallNanos, nowNanos, device, timers, capacity, pressAge);
     }
 
-    private static DeviceEvents device(Cursor cursor) {
+    private static DeviceEvents device(ByteItems cursor) {
         List<Event> sendable = events(cursor);
         List<Event> spontaneous = events(cursor);
         Map<Event, Integer> costs = new HashMap<>();
         for (int left = cursor.count(); left > 0; left--) {
             costs.put(new Event(cursor.text()), (int) cursor.number());
         }
-        List<State> doNotPass = texts(cursor).stream().map(State::new).toList();
+        List<State> doNotPass = cursor.names().stream().map(State::new).toList();
         return new DeviceEvents(
                 sendable.stream().collect(Collectors.toSet()),
                 spontaneous.stream().collect(Collectors.toSet()),
                 costs,
                 doNotPass.stream().collect(Collectors.toSet()),
-                texts(cursor).stream().collect(Collectors.toSet()),
+                cursor.names().stream().collect(Collectors.toSet()),
                 onFailure(cursor));
     }
 
-    private static Map<Event, Duration> timersOfState(Cursor cursor) {
+    private static Map<Event, Duration> timersOfState(ByteItems cursor) {
         Map<Event, Duration> timers = new LinkedHashMap<>();
         for (int left = cursor.count(); left > 0; left--) {
             timers.put(new Event(cursor.text()), Duration.ofNanos(cursor.number()));
@@ -213,15 +212,7 @@ record Head(
         return timers;
     }
 
-    private static List<Event> events(Cursor cursor) {
-        return texts(cursor).stream().map(Event::new).toList();
-    }
-
-    private static List<String> texts(Cursor cursor) {
-        List<String> texts = new ArrayList<>();
-        for (int left = cursor.count(); left > 0; left--) {
-            texts.add(cursor.text());
-        }
-        return texts;
+    private static List<Event> events(ByteItems cursor) {
+        return cursor.names().stream().map(Event::new).toList();
     }
 }

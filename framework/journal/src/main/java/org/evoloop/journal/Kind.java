@@ -38,6 +38,6 @@ enum Kind {
                 return kind;
             }
         }
-        throw new Cursor.Senseless("there is no input of kind " + code);
+        throw new IllegalArgumentException("there is no input of kind " + code);
     }
 }

@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import org.evoloop.engine.codec.ByteItems;
+import org.evoloop.engine.codec.ByteWriter;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
@@ -21,7 +23,7 @@ final class MachineBytes {
 
     private MachineBytes() {}
 
-    static void write(Bytes bytes, StateMachine machine) {
+    static void write(ByteWriter bytes, StateMachine machine) {
         bytes.text(machine.name());
         bytes.number(machine.states().size());
         for (State state : machine.states()) {
@@ -59,12 +61,12 @@ final class MachineBytes {
         }
     }
 
-    private static void event(Bytes bytes, Event event) {
+    private static void event(ByteWriter bytes, Event event) {
         bytes.name(event.name());
         bytes.names(event.guards());
     }
 
-    static StateMachine read(Cursor cursor) {
+    static StateMachine read(ByteItems cursor) {
         StateMachineBuilder builder = StateMachine.named(cursor.text());
         for (int left = cursor.count(); left > 0; left--) {
             State state = new State(cursor.name());
@@ -97,7 +99,7 @@ final class MachineBytes {
         return builder.build();
     }
 
-    private static Transition transition(Cursor cursor) {
+    private static Transition transition(ByteItems cursor) {
         State source = new State(cursor.name());
         Event event = event(cursor);
         State target = new State(cursor.name());
@@ -107,7 +109,7 @@ final class MachineBytes {
         return new Transition(source, event, target, effects, internal, keeps);
     }
 
-    private static Event event(Cursor cursor) {
+    private static Event event(ByteItems cursor) {
         String name = cursor.name();
         return new Event(name, cursor.names());
     }

@@ -35,15 +35,14 @@ record Masks(Set<String> names) {
         return names.contains(value) || names.contains(event + "." + value);
     }
 
-    /** The values of an event that may be written. */
-    Map<String, Object> of(String event, Values values) {
+    private Values of(String event, Values values) {
         Map<String, Object> all = values.byName();
-        if (names.isEmpty() || all.keySet().stream().noneMatch(value -> hides(event, value))) {
-            return all;
+        if (all.keySet().stream().noneMatch(value -> hides(event, value))) {
+            return values;
         }
         Map<String, Object> shown = new TreeMap<>(all);
         shown.keySet().removeIf(value -> hides(event, value));
-        return shown;
+        return new Values(shown);
     }
 
     /** A copy of the snapshot without masked values. */
@@ -102,11 +101,14 @@ record Masks(Set<String> names) {
                 pending.broken());
     }
 
-    private Occurrence of(Occurrence occurrence) {
-        if (occurrence instanceof Occurrence.Heard heard) {
+    /** The occurrence without masked values. */
+    Occurrence of(Occurrence occurrence) {
+        if (names.isEmpty()) {
+            return occurrence;
+        } else if (occurrence instanceof Occurrence.Heard heard) {
             return new Occurrence.Heard(
                     heard.event(),
-                    new Values(of(heard.event().name(), heard.values())),
+                    of(heard.event().name(), heard.values()),
                     heard.source(),
                     heard.deviceActed(),
                     heard.holding(),
@@ -115,10 +117,7 @@ record Masks(Set<String> names) {
         }
         return occurrence instanceof Occurrence.Asked asked
                 ? new Occurrence.Asked(
-                        asked.event(),
-                        new Values(of(asked.event().name(), asked.values())),
-                        asked.visit(),
-                        asked.observedNanos())
+                        asked.event(), of(asked.event().name(), asked.values()), asked.visit(), asked.observedNanos())
                 : occurrence;
     }
 

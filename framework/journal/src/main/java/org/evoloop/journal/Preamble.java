@@ -21,7 +21,7 @@ record Preamble(int sure, Place place, Ending ending, Link end) {
     static final int BYTES = 104;
 
     /** The version of the format, and of the core's rules: other rules may give other outputs for the same inputs. */
-    static final int VERSION = 11;
+    static final int VERSION = 12;
 
     private static final long MAGIC = 0x45564F4C4F4F504AL; // EVOLOOPJ
     private static final int VERSION_AT = 8;

@@ -7,6 +7,7 @@ import org.evoloop.engine.Core;
 import org.evoloop.engine.Inputs;
 import org.evoloop.engine.Rules;
 import org.evoloop.engine.Swap;
+import org.evoloop.engine.codec.ByteWriter;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.statemachine.Event;
@@ -35,17 +36,17 @@ final class Recorder implements Inputs {
         this.failed = failed;
         this.works = works;
         this.encoder = new Encoder(segments.masks());
-        segments.begin(core, encoder.bytes);
+        segments.begin(core, encoder.bytes());
     }
 
     /** Appends the encoded input; false if it has to be encoded again. */
     private boolean append() {
         boolean worked = segments.isWritable();
         try {
-            kept = segments.append(encoder.bytes);
+            kept = segments.append(encoder.bytes());
             if (!kept && segments.mayBegin()) {
                 Path lost = segments.lost();
-                segments.begin(core, encoder.bytes);
+                segments.begin(core, encoder.bytes());
                 if (lost != null) {
                     failed.accept(JournalException.damaged(
                             lost
@@ -129,7 +130,7 @@ final class Recorder implements Inputs {
     public void evolved(Swap swap, long atNanos) {
         Core evolved = new Core(core.rules(), core.snapshot(), output -> {});
         evolved.evolved(swap, atNanos);
-        Bytes names;
+        ByteWriter names;
         try {
             names = segments.beginPrepared(evolved);
         } catch (IOException | InternalError e) {
@@ -138,7 +139,7 @@ final class Recorder implements Inputs {
                     e);
         }
         // If that fails, the previous segment continues, with its names.
-        encoder.bytes = names;
+        encoder.use(names);
         core.evolved(swap, atNanos);
     }
 

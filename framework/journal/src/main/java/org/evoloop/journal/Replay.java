@@ -10,7 +10,7 @@ import org.evoloop.engine.Core;
 import org.evoloop.engine.Input;
 import org.evoloop.engine.Rules;
 import org.evoloop.engine.Snapshot;
-import org.evoloop.engine.codec.SnapshotException;
+import org.evoloop.engine.codec.CodecException;
 import org.evoloop.engine.codec.SnapshotText;
 import org.evoloop.journal.Place.Link;
 import org.evoloop.journal.Preamble.Ending;
@@ -101,7 +101,7 @@ final class Replay {
     private static Snapshot snapshot(Path file, SegmentReader segment, Rules rules) {
         try {
             return SnapshotText.read(rules, segment.snapshot());
-        } catch (SnapshotException e) {
+        } catch (CodecException e) {
             throw new JournalException(file + ", record 0: " + e.getMessage());
         }
     }

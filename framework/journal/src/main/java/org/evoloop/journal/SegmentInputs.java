@@ -8,7 +8,7 @@ import org.evoloop.engine.Input;
 import org.evoloop.engine.Outputs;
 import org.evoloop.engine.Rules;
 import org.evoloop.engine.Snapshot;
-import org.evoloop.engine.codec.SnapshotException;
+import org.evoloop.engine.codec.CodecException;
 import org.evoloop.engine.codec.SnapshotText;
 import org.jspecify.annotations.Nullable;
 
@@ -27,7 +27,7 @@ final class SegmentInputs {
         this.decoder = new Decoder(segment.cursor(), rules);
         try {
             this.from = SnapshotText.read(rules, segment.snapshot());
-        } catch (SnapshotException e) {
+        } catch (CodecException e) {
             throw JournalException.ofDamage(file, ", record 0: " + e.getMessage());
         }
     }

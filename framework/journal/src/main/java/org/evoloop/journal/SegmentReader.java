@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.evoloop.engine.codec.ByteItems;
 import org.evoloop.journal.Place.Link;
 
 /**
@@ -16,7 +17,7 @@ final class SegmentReader {
     private final Path file;
     private final byte[] bytes;
     private final ByteBuffer buffer;
-    private final Cursor cursor;
+    private final ByteItems cursor;
     private final Preamble preamble;
     private final Head head;
     private final String snapshot;
@@ -40,7 +41,7 @@ final class SegmentReader {
         this.file = file;
         this.bytes = bytes;
         this.buffer = ByteBuffer.wrap(bytes);
-        this.cursor = new Cursor(bytes);
+        this.cursor = ByteItems.withTable(bytes);
         this.preamble = Preamble.of(file, bytes);
         requireSize();
         requireNext("its head");
@@ -134,7 +135,7 @@ final class SegmentReader {
         return snapshot;
     }
 
-    Cursor cursor() {
+    ByteItems cursor() {
         return cursor;
     }
 

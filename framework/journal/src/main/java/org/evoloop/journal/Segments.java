@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.evoloop.engine.Core;
 import org.evoloop.engine.Rules;
+import org.evoloop.engine.codec.ByteWriter;
 import org.evoloop.engine.codec.SnapshotText;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.journal.Place.Link;
@@ -41,7 +42,7 @@ final class Segments implements AutoCloseable {
     private long failedNanos;
 
     /** A segment with only its head, and the names used there. */
-    private record Prepared(Rules rules, Head head, Bytes names, Segment segment) {}
+    private record Prepared(Rules rules, Head head, ByteWriter names, Segment segment) {}
 
     /** @param built the fingerprint of the models with which the converter was built */
     Segments(Journal options, Directory directory, Clock clock, ModelPair models, String built, String name) {
@@ -85,7 +86,7 @@ final class Segments implements AutoCloseable {
      * @throws IOException if it does not fit into
      * any
      */
-    boolean append(Bytes record) throws IOException {
+    boolean append(ByteWriter record) throws IOException {
         if (record.length() > Frame.MOST_BYTES) {
             throw new IOException("an input takes " + record.length() + " bytes, allowed are " + Frame.MOST_BYTES);
         }
@@ -100,7 +101,7 @@ final class Segments implements AutoCloseable {
     }
 
     /** Begins another segment with the state of {@code core}; if that fails, the previous one can still be written. */
-    void begin(Core core, Bytes bytes) throws IOException {
+    void begin(Core core, ByteWriter bytes) throws IOException {
         byte[] snapshot = snapshot(core);
         Head begun = head(core.rules());
         int unwritten = bytes.length();
@@ -179,7 +180,7 @@ final class Segments implements AutoCloseable {
     /** Writes the beginning of a segment by {@code rules} in advance, in a file that is not a segment yet. */
     void prepare(Rules rules) throws IOException {
         discardPrepared();
-        Bytes names = new Bytes();
+        ByteWriter names = ByteWriter.withTable();
         Head begun = head(rules);
         begun.write(names);
         Segment next = new Segment(directory.fresh("prepared"), size(2 * LEAST_ROOM + names.length()));
@@ -192,10 +193,10 @@ final class Segments implements AutoCloseable {
      *
      * @return the names used in its head
      */
-    Bytes beginPrepared(Core core) throws IOException {
+    ByteWriter beginPrepared(Core core) throws IOException {
         Prepared ready = prepared;
         if (ready == null || !ready.rules().equals(core.rules())) {
-            Bytes names = new Bytes();
+            ByteWriter names = ByteWriter.withTable();
             begin(core, names);
             return names;
         }

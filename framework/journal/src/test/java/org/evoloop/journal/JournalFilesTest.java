@@ -18,6 +18,8 @@ import org.evoloop.converter.ConverterJournal.Past;
 import org.evoloop.engine.Core;
 import org.evoloop.engine.Input;
 import org.evoloop.engine.Output;
+import org.evoloop.engine.codec.ByteItems;
+import org.evoloop.engine.codec.ByteWriter;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
@@ -177,13 +179,13 @@ class JournalFilesTest {
                         "")
                 .transition(new Transition(new State("End"), new Event("tick"), new State("End"), List.of(), true), "")
                 .build();
-        Bytes bytes = new Bytes();
+        ByteWriter bytes = ByteWriter.withTable();
         bytes.clear();
         MachineBytes.write(bytes, machine);
-        Cursor cursor = new Cursor(bytes.array());
+        ByteItems cursor = ByteItems.withTable(bytes.array());
         cursor.goTo(0, bytes.length());
         StateMachine back = MachineBytes.read(cursor);
-        cursor.requireEnd();
+        cursor.endsAll();
 
         assertThat(Fingerprint.of(new ModelPair(back, back)))
                 .isEqualTo(Fingerprint.of(new ModelPair(machine, machine)));

@@ -3,6 +3,8 @@ package org.evoloop.journal;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
+import org.evoloop.engine.codec.ByteItems;
+import org.evoloop.engine.codec.ByteWriter;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
@@ -22,12 +24,12 @@ class MachineBytesTest {
     }
 
     private static StateMachine copy(StateMachine machine) {
-        Bytes bytes = new Bytes();
+        ByteWriter bytes = ByteWriter.withTable();
         MachineBytes.write(bytes, machine);
-        Cursor cursor = new Cursor(bytes.array());
+        ByteItems cursor = ByteItems.withTable(bytes.array());
         cursor.goTo(0, bytes.length());
         StateMachine read = MachineBytes.read(cursor);
-        cursor.requireEnd();
+        cursor.endsAll();
         return read;
     }
 

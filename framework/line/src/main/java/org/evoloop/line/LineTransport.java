@@ -36,8 +36,8 @@ public interface LineTransport {
 
     /**
      * A program, by its standard input and output. It is started without a shell, and started again when it ends; it is
-     * ended with the connection, whatever it does. What it writes to its standard error is logged. The command is shown
-     * in messages.
+     * ended with the connection, whatever it does. What it writes to its standard error is logged. Messages show
+     * the program and the script that it runs, since other arguments may be secret.
      *
      * @param command the program and its arguments, such as {@code python3 kettle.py}
      * @throws IllegalArgumentException if it names no program

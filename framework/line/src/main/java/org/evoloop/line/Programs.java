@@ -1,6 +1,7 @@
 package org.evoloop.line;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
@@ -24,7 +25,7 @@ final class Programs {
     static List<String> requireCommand(List<String> command) {
         if (command.isEmpty() || command.get(0).isBlank() || command.stream().anyMatch(each -> each.contains("\0"))) {
             throw new IllegalArgumentException(
-                    command + " names no program; give one and its arguments, such as [python3, kettle.py]");
+                    "the command names no program; give one and its arguments, such as [python3, kettle.py]");
         }
         return List.copyOf(command);
     }
@@ -86,10 +87,10 @@ final class Programs {
                 .toList();
     }
 
-    /** For messages: a program and its arguments. */
+    /** For messages: a program, and the file that it is given first, such as a script; other arguments may be secret. */
     static String name(List<String> command) {
         Path file = Path.of(command.get(0)).getFileName();
-        return "the program " + (file == null ? command.get(0) : file)
-                + (command.size() == 1 ? "" : " " + String.join(" ", command.subList(1, command.size())));
+        boolean script = command.size() > 1 && Files.isRegularFile(Path.of(command.get(1)));
+        return "the program " + (file == null ? command.get(0) : file) + (script ? " " + command.get(1) : "");
     }
 }

@@ -142,7 +142,7 @@ class ProgramTest {
     void aMissingProgramIsNamed() {
         try (LineConnection connection = connection(LineTransport.program(List.of("/no/such/kettle", "on")))) {
             await().atMost(PATIENCE)
-                    .until(() -> connection.describe().startsWith("the program kettle on cannot be started"));
+                    .until(() -> connection.describe().startsWith("the program kettle cannot be started"));
         }
     }
 

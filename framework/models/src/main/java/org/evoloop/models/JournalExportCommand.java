@@ -1,7 +1,7 @@
 package org.evoloop.models;
 
 import java.io.IOException;
-import java.io.PrintWriter;
+import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,6 +18,10 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
+import tools.jackson.core.JacksonException;
+import tools.jackson.core.JsonGenerator;
+import tools.jackson.core.ObjectWriteContext;
+import tools.jackson.core.json.JsonFactory;
 
 /** Exports a journal for other programs. */
 @Command(
@@ -69,7 +73,7 @@ final class JournalExportCommand implements Callable<Integer> {
         } catch (UncheckedSql e) {
             Files.deleteIfExists(output);
             throw cannotBeWritten(e.failure);
-        } catch (SQLException | IOException e) {
+        } catch (SQLException | IOException | JacksonException e) {
             Files.deleteIfExists(output);
             throw cannotBeWritten(e);
         } catch (JournalException e) {
@@ -84,24 +88,18 @@ final class JournalExportCommand implements Callable<Integer> {
                 why);
     }
 
+    /** One record or segment a line. */
     private void writeJson(JournalFiles files) throws IOException {
-        try (PrintWriter to = new PrintWriter(Files.newBufferedWriter(output, StandardCharsets.US_ASCII))) {
-            to.print("{\"records\":[");
-            String[] separator = {"\n"};
-            List<SegmentInfo> segments = files.read(each -> {
-                to.print(separator[0] + RecordJson.line(each));
-                separator[0] = ",\n";
-            });
-            to.print("\n],\"segments\":[");
-            separator[0] = "\n";
-            segments.forEach(each -> {
-                to.print(separator[0] + RecordJson.line(each));
-                separator[0] = ",\n";
-            });
-            to.print("\n]}\n");
-            if (to.checkError()) {
-                throw new IOException("no space left");
-            }
+        try (Writer to = Files.newBufferedWriter(output, StandardCharsets.US_ASCII);
+                JsonGenerator json = new JsonFactory().createGenerator(ObjectWriteContext.empty(), to)) {
+            json.writeStartObject();
+            json.writeArrayPropertyStart("records");
+            List<SegmentInfo> segments = files.read(each -> json.writeRawValue("\n" + RecordJson.line(each)));
+            json.writeRaw('\n').writeEndArray();
+            json.writeArrayPropertyStart("segments");
+            segments.forEach(each -> json.writeRawValue("\n" + RecordJson.line(each)));
+            json.writeRaw('\n').writeEndArray();
+            json.writeEndObject().writeRaw('\n');
         }
     }
 

@@ -156,6 +156,11 @@ class DeviceStateCommandsTest {
                 .contains(
                         "(Dry, Dry)  Dry --boost--> Boost [history Dry]:  path turbo (Dry --turbo--> Turbo), new function"
                                 + " Boost [history Dry], the device in Turbo\n");
+        assertThat(good("migrate", after, after, "--original", before))
+                .contains(
+                        "(Turbo, Boost [history Dry]): timer tm(10min) kept, function Boost kept; Boost [history Dry], the"
+                                + " device in Turbo\n")
+                .contains("(Dry, Dry)  maps to (Dry, Dry)\n");
     }
 
     @Test

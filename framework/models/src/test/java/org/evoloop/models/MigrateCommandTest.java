@@ -39,7 +39,7 @@ class MigrateCommandTest {
         assertThat(equal.err()).isEmpty();
         assertThat(equal.out())
                 .contains("(On, Move)  maps to (On, Move): function Move kept\n")
-                .contains("50 pairs of states: 50 map, 0 by sending, 0 wait, 0 impossible")
+                .contains("54 pairs of states: 54 map, 0 by sending, 0 wait, 0 impossible")
                 .doesNotContain("waiting, because");
     }
 

@@ -102,7 +102,8 @@ public final class BrokerAddress {
         if (user != null && user.contains(":")) {
             throw new IllegalArgumentException("the broker's URL " + masked(url)
                     + " contains a password, which everybody on this computer can see; leave it out, and put it into a file, "
-                    + "with --mqtt-password-file FILE, or into the environment as " + MqttOptions.PASSWORD.variable());
+                    + "with --mqtt-password-file FILE (password-file: FILE at a device file's connection), or into the environment as "
+                    + MqttOptions.PASSWORD.variable());
         }
         Map<String, String> parameters = parameters(uri);
         String certificates = parameters.get("ca");

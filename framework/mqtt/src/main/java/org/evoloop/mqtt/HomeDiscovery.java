@@ -13,9 +13,9 @@ import java.util.Properties;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
-import org.evoloop.console.JsonObject;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Outcome;
+import org.evoloop.payload.JsonObject;
 import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 

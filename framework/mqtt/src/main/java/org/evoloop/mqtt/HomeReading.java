@@ -2,8 +2,8 @@ package org.evoloop.mqtt;
 
 import java.util.Locale;
 import java.util.Map;
-import org.evoloop.console.JsonObject;
 import org.evoloop.function.Reading;
+import org.evoloop.payload.JsonObject;
 
 /**
  * A reading as an entity: a binary sensor for a boolean, else a sensor.

@@ -2,7 +2,6 @@ package org.evoloop.mqtt;
 
 import java.util.List;
 import java.util.Locale;
-import org.evoloop.console.JsonObject;
 import org.evoloop.console.ShadowJson;
 import org.evoloop.converter.ConverterStatus;
 import org.evoloop.converter.HistoryEntry;
@@ -10,6 +9,7 @@ import org.evoloop.converter.Shadow;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.LoopState;
+import org.evoloop.payload.JsonObject;
 
 /** A converter's status as it is published: JSON, with the keys that {@link HomeDiscovery} names in its templates. */
 final class HomeState {
@@ -36,6 +36,7 @@ final class HomeState {
                 .put("converting", status.loop() == LoopState.RUNNING ? "ON" : "OFF")
                 .put("device_state", status.states().original().name())
                 .put("state", status.states().evolved().name())
+                .put("system", status.system())
                 .put("progress", text(status.function().describe()))
                 .put("function", JsonObject.of(status.function().readings()))
                 .put("reachable", link == null || link.up() ? "ON" : "OFF")

@@ -1,18 +1,14 @@
 package org.evoloop.mqtt;
 
-import java.util.HashMap;
+import java.time.Duration;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.function.Consumer;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.payload.Meanings;
+import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /**
  * A monitor of a controller or a device that reports events by MQTT:
@@ -24,7 +20,8 @@ import org.slf4j.LoggerFactory;
  * <p>With {@link #bypassed} the controller's events may reach the device while this converter is gone.
  *
  * <p>The first rule of a topic that applies to a payload is used; a payload without one is ignored. A retained message
- * is old: it is no event, but it is the device's state.
+ * is old: it is no event, but it is the device's state. What must {@linkplain Meanings#lasting(Duration) hold for a
+ * time} is reported when it has; an event once, and not if it held from the beginning.
  *
  * <p>Lifecycle: configure it before the connection is opened.
  *
@@ -33,22 +30,28 @@ import org.slf4j.LoggerFactory;
  * @since 0.1
  */
 public class MqttMonitor extends PushMonitor {
-    private static final Logger LOG = LoggerFactory.getLogger(MqttMonitor.class);
-
     private final BrokerConnection connection;
-    private final Map<String, List<Rule>> rules = new HashMap<>();
+    private final TopicRules rules;
     private final Set<String> devicesOwn = new LinkedHashSet<>();
     private @Nullable Fence fence;
 
     /** How many of the events that a bypass has passed on have been reported to the converter. */
     private int received;
 
-    private record Rule(Meanings meanings, boolean ofState, Consumer<Meanings.Meaning> heard) {}
-
     /** @param name its name in the console, unique within a converter */
     public MqttMonitor(String name, BrokerConnection connection) {
+        this(name, connection, null);
+    }
+
+    /** As {@link #MqttMonitor(String, BrokerConnection)}, with the clock of this device for what must hold for a time. */
+    public MqttMonitor(String name, MqttDevice device) {
+        this(name, device.connection(), device.clock());
+    }
+
+    private MqttMonitor(String name, BrokerConnection connection, @Nullable Clock clock) {
         super(name);
         this.connection = connection;
+        this.rules = new TopicRules(clock, connection::subscribe);
     }
 
     /**
@@ -62,11 +65,12 @@ public class MqttMonitor extends PushMonitor {
 
     /** As {@link #controller(String, Map)}, with JSON, patterns and values. */
     public final MqttMonitor controller(String topic, Meanings events) {
-        return on(topic, events, false, event -> {
+        rules.add(topic, events, TopicRules.Use.EVENT, event -> {
             if (fence == null || fence.isPassed()) {
                 push(fromController(event.name(), event.values()));
             }
         });
+        return this;
     }
 
     /**
@@ -81,7 +85,8 @@ public class MqttMonitor extends PushMonitor {
     /** As {@link #device(String, Map)}, with JSON, patterns and values. */
     public final MqttMonitor device(String topic, Meanings events) {
         devicesOwn.addAll(events.names());
-        return on(topic, events, false, event -> push(fromDevice(event.name(), event.values())));
+        rules.add(topic, events, TopicRules.Use.EVENT, event -> push(fromDevice(event.name(), event.values())));
+        return this;
     }
 
     /**
@@ -95,7 +100,8 @@ public class MqttMonitor extends PushMonitor {
 
     /** As {@link #found(String, Map)}, with JSON and patterns. */
     public final MqttMonitor found(String topic, Meanings states) {
-        return on(topic, states, true, state -> push(foundIn(state.name())));
+        rules.add(topic, states, TopicRules.Use.STATE, state -> push(foundIn(state.name())));
+        return this;
     }
 
     /**
@@ -121,31 +127,6 @@ public class MqttMonitor extends PushMonitor {
             push(fromPanel(event, true));
         }
         received = passed.size();
-    }
-
-    private MqttMonitor on(String topic, Meanings meanings, boolean ofState, Consumer<Meanings.Meaning> heard) {
-        List<Rule> ofTopic = rules.get(topic);
-        if (ofTopic == null) {
-            List<Rule> first = new CopyOnWriteArrayList<>();
-            connection.subscribe(topic, message -> hear(first, message));
-            rules.put(topic, first);
-            ofTopic = first;
-        }
-        ofTopic.add(new Rule(meanings, ofState, heard));
-        return this;
-    }
-
-    private void hear(List<Rule> ofTopic, Message message) {
-        for (Rule rule : ofTopic) {
-            if (rule.ofState() || message.kind() != Message.Kind.STATE) {
-                Optional<Meanings.Meaning> meaning = rule.meanings().of(message.payload());
-                if (meaning.isPresent()) {
-                    rule.heard().accept(meaning.get());
-                    return;
-                }
-            }
-        }
-        LOG.debug("{} ignores '{}' on {}", name(), message.payload(), message.topic());
     }
 
     @Override

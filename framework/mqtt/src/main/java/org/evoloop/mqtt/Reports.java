@@ -16,22 +16,21 @@ import org.jspecify.annotations.Nullable;
  */
 final class Reports {
     private final MqttDevice device;
+    private final TopicRules rules;
     private volatile @Nullable Wait current;
 
     private record Wait(Predicate<String> wanted, Runnable then, CompletableFuture<String> state) {}
 
     Reports(MqttDevice device) {
         this.device = device;
+        // Before a monitor, so that a step is over before its result is found.
+        this.rules = new TopicRules(device.clock(), device.connection()::subscribeFirst);
         device.onLost(why -> fail(current, why));
     }
 
-    /** Hears what the device reports before a monitor does, so that a step is over before its result is found. */
+    /** Hears of the device's state. */
     void subscribe(String topic, Meanings states) {
-        device.connection().subscribeFirst(topic, message -> {
-            if (message.kind() != Message.Kind.STATE) {
-                states.nameOf(message.payload()).ifPresent(this::hear);
-            }
-        });
+        rules.add(topic, states, TopicRules.Use.NEWS, state -> hear(state.name()));
     }
 
     private void hear(String state) {

@@ -243,7 +243,7 @@ class HomeAssistantTest {
 
     @Test
     void everythingIsPublishedAgainWhenHomeAssistantHasStarted() throws Exception {
-        watcher.awaitNewest(STATE, "device_state");
+        watcher.awaitNewest(STATE, "\"system\":\"off\"");
         long before = count(CONFIG);
         watcher.publish("homeassistant/status", "offline", false);
         watcher.publish("homeassistant/status", "online", false);

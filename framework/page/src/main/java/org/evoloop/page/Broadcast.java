@@ -3,8 +3,6 @@ package org.evoloop.page;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
-import java.util.stream.Collectors;
-import org.evoloop.console.JsonObject;
 import org.evoloop.console.StatusJson;
 import org.evoloop.converter.ConverterListener;
 import org.evoloop.converter.ConverterStatus;
@@ -15,6 +13,7 @@ import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.Failure;
+import org.evoloop.payload.JsonObject;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
@@ -43,11 +42,15 @@ final class Broadcast {
      * @param last the number of the last event that ended
      * @param events the events that are new to the viewer, oldest first, at most {@value #RECENT}
      */
-    record Update(long number, String status, String readings, long last, List<Ended> events) {
+    record Update(long number, JsonObject status, JsonObject readings, long last, List<Ended> events) {
         /** The update as JSON for the page. */
         String json() {
-            return "{\"status\":" + status + ",\"readings\":" + readings + ",\"last\":" + last + ",\"events\":["
-                    + events.stream().map(Ended::json).collect(Collectors.joining(",")) + "]}";
+            return new JsonObject()
+                    .put("status", status)
+                    .put("readings", readings)
+                    .put("last", last)
+                    .put("events", events.stream().map(Ended::json).toList())
+                    .toString();
         }
 
         private Update since(long seenEvent) {
@@ -64,17 +67,17 @@ final class Broadcast {
     static final class Ended {
         private final long number;
         private final HistoryEntry entry;
-        private @Nullable String json;
+        private @Nullable JsonObject json;
 
         private Ended(HistoryEntry entry) {
             this.number = entry.number();
             this.entry = entry;
         }
 
-        private synchronized String json() {
-            String known = json;
+        private synchronized JsonObject json() {
+            JsonObject known = json;
             if (known == null) {
-                known = EntryJson.of(entry).toString();
+                known = EntryJson.of(entry);
                 json = known;
             }
             return known;
@@ -88,7 +91,7 @@ final class Broadcast {
     private long last;
 
     /** The newest update, with all recent events. */
-    private Update newest = new Update(0, "", "", 0, List.of());
+    private Update newest = new Update(0, new JsonObject(), new JsonObject(), 0, List.of());
 
     private long newestNanos;
 
@@ -193,7 +196,7 @@ final class Broadcast {
         notifyAll();
     }
 
-    private static String readings(ConverterStatus status) {
+    private static JsonObject readings(ConverterStatus status) {
         ConverterStatus.LinkStatus link = status.link();
         return new JsonObject()
                 .putTexts("device", link == null ? List.of() : texts(link.readings()))
@@ -202,8 +205,7 @@ final class Broadcast {
                         "timers",
                         status.timers().stream()
                                 .map(ConverterStatus.RunningTimer::describe)
-                                .toList())
-                .toString();
+                                .toList());
     }
 
     private static List<String> texts(List<Reading> readings) {

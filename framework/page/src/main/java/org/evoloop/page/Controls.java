@@ -11,9 +11,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
-import org.evoloop.console.JsonObject;
 import org.evoloop.console.OfferedModels;
 import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.payload.JsonObject;
 
 /**
  * The controls of the page: start, stop, exchange, and those of the application's commands that can be buttons because

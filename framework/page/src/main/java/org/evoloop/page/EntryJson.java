@@ -1,12 +1,12 @@
 package org.evoloop.page;
 
 import java.util.Locale;
-import org.evoloop.console.JsonObject;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.engine.codec.DecisionKind;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Step;
+import org.evoloop.payload.JsonObject;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 

@@ -50,14 +50,15 @@ final class Stream {
         Broadcast.Update update = broadcast.after(-1, Long.MAX_VALUE);
         write(body, "retry: 500\n\n");
         while (clock.nanoTime() - begun < LONGEST.toNanos()) {
-            if (!update.events().isEmpty() || !update.status().equals(before)) {
+            String status = update.status().toString();
+            if (!update.events().isEmpty() || !status.equals(before)) {
                 write(body, "data: " + update.json() + "\n\n");
                 written = clock.nanoTime();
             } else if (clock.nanoTime() - written >= TO_BE_HEARD.toNanos()) {
                 write(body, ": here\n\n");
                 written = clock.nanoTime();
             }
-            before = update.status();
+            before = status;
             update = broadcast.after(update.number(), update.last());
         }
         threads.limit(TO_TAKE_ONE);

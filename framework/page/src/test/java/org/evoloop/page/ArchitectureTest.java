@@ -11,13 +11,14 @@ import com.tngtech.archunit.lang.ArchRule;
 @AnalyzeClasses(packages = "org.evoloop.page", importOptions = ImportOption.DoNotIncludeTests.class)
 class ArchitectureTest {
     @ArchTest
-    static final ArchRule drawingsKnowMachinesAlone = noClasses()
+    static final ArchRule drawingsKnowMachinesAndTheirPairsAlone = noClasses()
             .that()
             .resideInAPackage("org.evoloop.page.drawing")
             .should()
             .dependOnClassesThat()
             .resideOutsideOfPackages(
                     "org.evoloop.page.drawing",
+                    "org.evoloop.evolution",
                     "org.evoloop.statemachine",
                     "java.util..",
                     "java.lang..",

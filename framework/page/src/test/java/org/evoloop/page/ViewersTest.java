@@ -136,7 +136,7 @@ class ViewersTest {
             shown.battery.set(50);
             Broadcast.Update again = broadcast.after(seen.number(), 0);
             assertThat(again.json()).isEqualTo(news.json()).doesNotContain("50 %");
-            assertThat(broadcast.after(again.number(), 0).readings()).contains("50 %");
+            assertThat(broadcast.after(again.number(), 0).readings().toString()).contains("50 %");
             broadcast.leave();
         }
     }

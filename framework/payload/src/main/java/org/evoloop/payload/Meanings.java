@@ -1,5 +1,6 @@
 package org.evoloop.payload;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -7,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.evoloop.evolution.Values;
+import org.evoloop.time.Clock;
 
 /**
  * What messages mean: events of a controller or a device, or states of a device. The first rule that applies counts; a
@@ -23,9 +25,10 @@ import org.evoloop.evolution.Values;
  */
 public final class Meanings {
     /** Nothing has a meaning yet; see {@link #with}. */
-    public static final Meanings NONE = new Meanings(List.of());
+    public static final Meanings NONE = new Meanings(List.of(), Duration.ZERO);
 
     private final List<Rule> rules;
+    private final Duration lasting;
 
     private record Rule(Match match, String name) {}
 
@@ -38,8 +41,9 @@ public final class Meanings {
      */
     public record Meaning(String name, Values values) {}
 
-    private Meanings(List<Rule> rules) {
+    private Meanings(List<Rule> rules, Duration lasting) {
         this.rules = rules;
+        this.lasting = lasting;
     }
 
     /**
@@ -61,16 +65,28 @@ public final class Meanings {
     }
 
     private static Meanings in(Part part, Map<String, String> exact) {
-        return new Meanings(exact.entrySet().stream()
-                .map(each -> new Rule(Match.exactly(each.getKey()).in(part), each.getValue()))
-                .toList());
+        return new Meanings(
+                exact.entrySet().stream()
+                        .map(each -> new Rule(Match.exactly(each.getKey()).in(part), each.getValue()))
+                        .toList(),
+                Duration.ZERO);
     }
 
     /** A copy with one more rule, after the others. */
     public Meanings with(Match match, String name) {
         List<Rule> more = new ArrayList<>(rules);
         more.add(new Rule(match, name));
-        return new Meanings(List.copyOf(more));
+        return new Meanings(List.copyOf(more), lasting);
+    }
+
+    /** A copy whose meanings count once they have held for a time, which a connection measures. */
+    public Meanings lasting(Duration time) {
+        return new Meanings(rules, Clock.requireDelay(time));
+    }
+
+    /** How long a meaning must hold to count; zero if it counts at once. */
+    public Duration lasting() {
+        return lasting;
     }
 
     /** The meaning of a message; empty if it has none. */

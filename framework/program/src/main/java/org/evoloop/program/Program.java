@@ -9,6 +9,7 @@ import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import org.evoloop.config.Mistakes;
 import org.evoloop.config.Option;
+import org.evoloop.config.OptionLine;
 import org.evoloop.config.Options;
 import org.evoloop.config.Settings;
 import org.evoloop.journal.Journal;
@@ -47,6 +48,7 @@ public final class Program {
     private final Options named;
     private String converter;
     private Options own = Options.of();
+    private List<OptionLine> inFile = List.of();
     private @Nullable Option<Path> modelFile;
     private @Nullable Function<Settings, ProgramModels> models;
     private UnaryOperator<LoopConfig> loop = UnaryOperator.identity();
@@ -82,6 +84,12 @@ public final class Program {
     /** Adds options of its own; {@link ProgramSetup#settings} has their values. */
     public Program options(Options... more) {
         own = own.and(more);
+        return this;
+    }
+
+    /** Takes options from another file, too, over which the command line wins. */
+    public Program options(List<OptionLine> lines) {
+        inFile = List.copyOf(lines);
         return this;
     }
 
@@ -135,7 +143,7 @@ public final class Program {
      */
     public int run(String... arguments) {
         try {
-            Settings settings = options().read(List.of(arguments), System.getenv());
+            Settings settings = options().read(List.of(arguments), inFile, System.getenv());
             OptionalInt answered = settings.answer(System.out, System.err);
             return answered.isPresent() ? answered.getAsInt() : run(settings);
         } catch (ModelException | JournalException | IllegalArgumentException | IOException problem) {

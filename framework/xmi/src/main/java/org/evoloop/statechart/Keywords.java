@@ -76,13 +76,14 @@ final class Keywords {
         String word = word(text);
         String forms =
                 known == OF_STATES ? "«device STATE» or «sends EVENT, EVENT»" : "«spontaneous» EVENT or «urgent» EVENT";
+        boolean second = known == OF_STATES && DeviceUse.parse(text).isPresent();
         boolean right = known.contains(word);
         String meant = right ? "" : Names.meant(word, known);
         return new Problem(
                 place,
-                what + " has the " + (right ? "incomplete or second " : "unknown ") + kind + " '" + Names.shown(text)
-                        + "'",
-                meant.isEmpty() ? "write " + forms : meant.substring(2));
+                what + " has " + (second ? "a second device state, " : right ? "the incomplete " : "the unknown ")
+                        + (second ? "" : kind + " ") + "'" + Names.shown(text) + "'",
+                second ? "keep one" : meant.isEmpty() ? "write " + forms : meant.substring(2));
     }
 
     private static String word(String text) {

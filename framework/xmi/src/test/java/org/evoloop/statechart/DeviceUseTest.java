@@ -55,8 +55,9 @@ class DeviceUseTest {
                 "«send speed» Gap           | unknown keyword 'send speed'; did you mean sends?",
                 "Gap <<Device StopUp>>      | unknown keyword 'Device StopUp'; did you mean device?",
                 "«spontaneous» Gap          | unknown keyword 'spontaneous'; write «device STATE» or «sends EVENT, EVENT»",
-                "«device» Gap               | incomplete or second keyword 'device'; write «device STATE»",
-                "«device A» «device B» Gap  | incomplete or second keyword 'device B'; write «device STATE»",
+                "«device» Gap               | incomplete keyword 'device'; write «device STATE»",
+                "«sends a,» Gap             | incomplete keyword 'sends a,'; write «device STATE» or «sends EVENT, EVENT»",
+                "«device A» «device B» Gap  | a second device state, 'device B'; keep one",
                 "«device A Gap              | a keyword without an end; write » or >> after it"
             })
     void shouldRefuseWhatItDoesNotUnderstand(String drawn, String message) {

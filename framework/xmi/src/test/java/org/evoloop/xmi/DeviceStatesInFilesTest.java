@@ -154,6 +154,8 @@ class DeviceStatesInFilesTest {
                         "attribute evoloop:device of State 'B'"),
                 Arguments.of(scxml("ev:devise='X'"), "attribute devise of urn:evoloop at state 'B'"),
                 Arguments.of(scxml("ev:devise='X'"), "did you mean device?"),
+                Arguments.of(
+                        scxml("device='X'"), "not supported; write ev:device, and xmlns:ev=\"urn:evoloop\" in scxml"),
                 Arguments.of(scxml("ev:spontaneous='true'"), "is not known there; there is device, name, sends"),
                 Arguments.of(scxml("ev:device=' '"), "write a state of the original model"),
                 Arguments.of(scxml("").replace("event=", "ev:sponteneous='true' event="), "did you mean spontaneous?"),

@@ -190,7 +190,8 @@ class RoombaEdgeTest {
 
     private static List<String> sent(Cluster cluster) {
         return cluster.records().of(Topic.COMMANDS, ROBOT).stream()
-                .map(record -> Reading.of(record.getBytes(StandardCharsets.UTF_8)))
+                .map(record ->
+                        Reading.of(record.getBytes(StandardCharsets.UTF_8)).record())
                 .filter(record -> record.text("kind").equals("send"))
                 .map(record -> record.text("event"))
                 .toList();
@@ -199,7 +200,8 @@ class RoombaEdgeTest {
     /** The handled events that were pressed or raised, without the states in which the robot was found. */
     private static List<String> decided(Cluster cluster) {
         return cluster.records().of(Topic.DECISIONS, ROBOT).stream()
-                .map(record -> Reading.of(record.getBytes(StandardCharsets.UTF_8)))
+                .map(record ->
+                        Reading.of(record.getBytes(StandardCharsets.UTF_8)).record())
                 .filter(record -> record.text("outcome").equals("handled"))
                 .map(record -> record.text("occurrence"))
                 .filter(occurrence -> !occurrence.startsWith("found"))

@@ -6,7 +6,7 @@
  *
  * <pre>
  *  user's class ──▶ EventExecute ──▶ ExecuteAccess.Host      the converter carries out a plan, hears of an effect
- *                        ▲                │ implemented by running.Carrier, edge.EdgeShell
+ *                        ▲                │ implemented by running.PlanExecutor, edge.EdgeShell
  *                        │ gives          ▼
  *                   ExecuteAccess ◀── Friends.EXECUTE.of(execute)
  * </pre>
@@ -14,6 +14,8 @@
  * <ul>
  *   <li>{@link org.evoloop.converter.attachment.ExecuteAccess.Host} and {@link org.evoloop.converter.attachment.DecisionHost}:
  *       what a component may ask of the converter.
+ *   <li>{@link org.evoloop.converter.attachment.UserCode}: calls what a user wrote, and contains what it throws.
+ *   <li>{@link org.evoloop.converter.attachment.Endings}: tells a monitor how an occurrence ends.
  *   <li>{@link org.evoloop.converter.attachment.ExecuteAccess}, {@link org.evoloop.converter.attachment.MonitorAccess} and
  *       {@link org.evoloop.converter.attachment.KnowledgeAccess}: what the converter asks of them, but no user.
  *   <li>{@link org.evoloop.converter.attachment.Friends}: how to get that from an object, as by the {@code SharedSecrets}

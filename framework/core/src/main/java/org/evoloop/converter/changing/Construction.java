@@ -22,12 +22,12 @@ import org.jspecify.annotations.Nullable;
  */
 final class Construction {
     private final LoopConfig config;
-    private final Belongings belongings;
+    private final Ownership ownership;
     private final Assembly assembly;
 
-    Construction(LoopConfig config, Belongings belongings, Assembly assembly) {
+    Construction(LoopConfig config, Ownership ownership, Assembly assembly) {
         this.config = config;
-        this.belongings = belongings;
+        this.ownership = ownership;
         this.assembly = assembly;
     }
 
@@ -54,13 +54,13 @@ final class Construction {
             assembly.add(new EventPlan());
         }
         String another = "make one for each converter";
-        belongings.take(config.clock(), "its clock", another, problems);
-        belongings.take(known, known.name(), another, problems);
+        ownership.take(config.clock(), "its clock", another, problems);
+        ownership.take(known, known.name(), another, problems);
         for (Component component : assembly.all()) {
-            belongings.take(component, component.name(), another, problems);
+            ownership.take(component, component.name(), another, problems);
         }
         if (!problems.isEmpty()) {
-            belongings.giveBackAll(null);
+            ownership.giveBackAll(null);
             throw refused(problems);
         }
         return known;
@@ -85,7 +85,7 @@ final class Construction {
             return built;
         }
         StateKnowledge present = knowledgeOf(evolved, factory);
-        belongings.take(present, present.name());
+        ownership.take(present, present.name());
         return present;
     }
 

@@ -42,14 +42,14 @@ import org.jspecify.annotations.Nullable;
  */
 final class Converter implements ConverterDelegate {
     private final LoopConfig config;
-    private final Belongings belongings;
+    private final Ownership ownership;
     private final Spares spares = new Spares();
     private final FailureLog failures;
     private final Listeners listeners;
     private final ChangeLock changes;
     private final Stopping stopping;
     private final Evolver evolver;
-    private final Crewing crewing;
+    private final ComponentChanges components;
     private @Nullable StateKnowledge knowledge;
     private volatile @Nullable Function<ModelPair, ? extends StateKnowledge> knowledgeFactory;
     private volatile @Nullable DeviceLink link;
@@ -62,14 +62,14 @@ final class Converter implements ConverterDelegate {
 
     Converter(LoopConfig config) {
         this.config = requireNonNull(config, "the converter's config is null");
-        this.belongings = new Belongings(config.name());
+        this.ownership = new Ownership(config.name());
         this.failures = new FailureLog(config);
         this.listeners = new Listeners(config, failures);
         failures.tell(listeners::failed);
         this.changes = new ChangeLock(config.name(), this::isComponent, this::ownsCurrentThread, listeners::deliver);
         this.stopping = new Stopping(config.name());
-        this.crewing = new Crewing(belongings);
-        this.evolver = new Evolver(config, changes, belongings, crewing::present);
+        this.components = new ComponentChanges(ownership);
+        this.evolver = new Evolver(config, changes, ownership, components::present);
     }
 
     @Override
@@ -146,7 +146,7 @@ final class Converter implements ConverterDelegate {
     @Override
     public void add(Component component) {
         requireNonNull(component, "the component is null");
-        changes.change(() -> crewing.add(shell, component));
+        changes.change(() -> components.add(shell, component));
     }
 
     @Override
@@ -162,7 +162,7 @@ final class Converter implements ConverterDelegate {
         if (changes.isClosing()) {
             throw new IllegalStateException("converter " + config.name() + " has been closed");
         }
-        Construction construction = new Construction(config, belongings, crewing.present());
+        Construction construction = new Construction(config, ownership, components.present());
         StateKnowledge complete = construction.complete(known);
         try {
             StateKnowledge present = construction.present(complete, journal, knowledgeFactory);
@@ -174,7 +174,7 @@ final class Converter implements ConverterDelegate {
                             config, present, table, failures, listeners, changes::isClosing, journal, posting));
             closedAt = config.clock().wallTime();
         } catch (RuntimeException refused) {
-            belongings.giveBackAll(null);
+            ownership.giveBackAll(null);
             closeJournal();
             throw refused;
         }
@@ -250,7 +250,7 @@ final class Converter implements ConverterDelegate {
             if (built != null) {
                 built.loop().close();
                 release(built);
-                belongings.giveBackAll(built.knowledge());
+                ownership.giveBackAll(built.knowledge());
             }
             closeJournal();
         });
@@ -261,14 +261,14 @@ final class Converter implements ConverterDelegate {
     @Override
     public void remove(String name) {
         ConverterShell built = built();
-        changes.change(() -> crewing.remove(built, name));
+        changes.change(() -> components.remove(built, name));
     }
 
     @Override
     public void exchange(String name, Component next) {
         ConverterShell built = built();
         requireNonNull(next, "what shall take the place of " + name + " is null");
-        changes.change(() -> crewing.exchange(built, name, next));
+        changes.change(() -> components.exchange(built, name, next));
     }
 
     @Override

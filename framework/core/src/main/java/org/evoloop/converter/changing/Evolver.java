@@ -44,7 +44,7 @@ final class Evolver {
 
     private final LoopConfig config;
     private final ChangeLock changes;
-    private final Belongings belongings;
+    private final Ownership ownership;
     private final Supplier<Assembly> assembly;
 
     /** Guarded by {@code changes}, like everything that changes here. */
@@ -64,7 +64,7 @@ final class Evolver {
             StateKnowledge from,
             StateKnowledge to,
             Mapping mapping,
-            @Nullable Trial trial) {
+            @Nullable ProbationWatch trial) {
         /** For messages. */
         String tookOver() {
             return "'" + from.models().evolved().name() + "', which took over from '"
@@ -75,21 +75,21 @@ final class Evolver {
     /** The checked and compiled takeover; valid as long as the converter has this knowledge and these components. */
     private record Prepared(StateKnowledge present, Assembly components, Swap swap) {}
 
-    Evolver(LoopConfig config, ChangeLock changes, Belongings belongings, Supplier<Assembly> assembly) {
+    Evolver(LoopConfig config, ChangeLock changes, Ownership ownership, Supplier<Assembly> assembly) {
         this.config = config;
         this.changes = changes;
-        this.belongings = belongings;
+        this.ownership = ownership;
         this.assembly = assembly;
     }
 
     /** As {@link SystemEventConverter#evolve}. */
     Evolution.Result evolve(ConverterShell shell, Evolution evolution) {
         StateKnowledge next = evolution.next();
-        changes.change(() -> belongings.take(next, next.name()));
+        changes.change(() -> ownership.take(next, next.name()));
         try {
             return evolve(shell, evolution, false);
         } catch (RuntimeException refused) {
-            belongings.giveBack(next);
+            ownership.giveBack(next);
             throw refused;
         }
     }
@@ -103,7 +103,7 @@ final class Evolver {
     }
 
     private static void announce(ConverterShell shell, String why) {
-        shell.books().transcript().notice("***  The converter rolls back, " + why + ".  ***  ");
+        shell.records().transcript().notice("***  The converter rolls back, " + why + ".  ***  ");
     }
 
     private Evolution.Result rollBack(ConverterShell shell, Duration deadline) {
@@ -129,13 +129,13 @@ final class Evolver {
         LiveShadow begun = new LiveShadow(shell, evolution);
         StateKnowledge next = evolution.next();
         changes.change(() -> {
-            belongings.take(next, next.name());
+            ownership.take(next, next.name());
             try {
                 shell.shadow(
                         compile(shell, evolution, false).swap(),
                         evolution.probation().watches());
             } catch (RuntimeException refused) {
-                belongings.giveBack(next);
+                ownership.giveBack(next);
                 throw refused;
             }
             forgetShadow(null);
@@ -173,7 +173,7 @@ final class Evolver {
         LiveShadow ended = shadow;
         shadow = null;
         if (ended != null && ended.evolution().next() != adopted) {
-            belongings.giveBack(ended.evolution().next());
+            ownership.giveBack(ended.evolution().next());
         }
     }
 
@@ -282,19 +282,19 @@ final class Evolver {
                 look(ready.swap(), shell.driver().configuration());
                 return;
             }
-            Trial ending = trial();
+            ProbationWatch ending = trial();
             if (ending != null) {
                 ending.end();
             }
             forgetShadow(next);
             wayBack = null;
             if (back) {
-                belongings.giveBack(ready.present());
+                ownership.giveBack(ready.present());
             } else if (evolution.needsWayBack()) {
                 openWayBack(ready.present());
             }
             // Only now: a listener may read the status, which shows the way back and the probation.
-            shell.books().listeners().evolved(result);
+            shell.records().listeners().evolved(result);
         }
 
         /** Looks once in each pair of states: only another one can lead further. */
@@ -309,8 +309,8 @@ final class Evolver {
 
         /** Opens the way back to {@code previous}, and begins the trial if there is to be one. */
         private void openWayBack(StateKnowledge previous) {
-            Trial trial = evolution.probation().isAny()
-                    ? new Trial(
+            ProbationWatch trial = evolution.probation().isAny()
+                    ? new ProbationWatch(
                             config,
                             shell,
                             evolution.probation(),
@@ -361,14 +361,14 @@ final class Evolver {
     }
 
     /** The last trial, which may be over; null if there was none. */
-    private @Nullable Trial trial() {
+    private @Nullable ProbationWatch trial() {
         WayBack back = wayBack;
         return back == null ? null : back.trial();
     }
 
     /** A step has been taken in a converter without threads. */
     void stepped() {
-        Trial running = trial();
+        ProbationWatch running = trial();
         if (running != null) {
             running.stepped();
         }
@@ -384,7 +384,7 @@ final class Evolver {
         WayBack back = wayBack;
         WayBack before = resumed;
         if (back != null) {
-            Trial running = back.trial();
+            ProbationWatch running = back.trial();
             return back.tookOver()
                     + (running == null || running.isOver() ? "" : ", on probation " + running.describe());
         }

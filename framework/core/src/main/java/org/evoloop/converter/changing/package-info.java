@@ -6,10 +6,10 @@
  *       org.evoloop.converter.changing.Delegates} provides it.
  *   <li>{@link org.evoloop.converter.changing.ChangeLock} and {@link org.evoloop.converter.changing.Stopping}: whose turn it
  *       is to change it, and how it stops without waiting for itself.
- *   <li>{@link org.evoloop.converter.changing.Construction}, {@link org.evoloop.converter.changing.Crewing}, {@link
- *       org.evoloop.converter.changing.Spares} and {@link org.evoloop.converter.changing.Belongings}: its components, when it
+ *   <li>{@link org.evoloop.converter.changing.Construction}, {@link org.evoloop.converter.changing.ComponentChanges}, {@link
+ *       org.evoloop.converter.changing.Spares} and {@link org.evoloop.converter.changing.Ownership}: its components, when it
  *       is built and later, and that no other converter has them.
- *   <li>{@link org.evoloop.converter.changing.Evolver} and {@link org.evoloop.converter.changing.Trial}: other models take
+ *   <li>{@link org.evoloop.converter.changing.Evolver} and {@link org.evoloop.converter.changing.ProbationWatch}: other models take
  *       over or run beside, and are on probation.
  * </ul>
  *

@@ -17,6 +17,7 @@ import org.evoloop.converter.UnknownEffectException;
 import org.evoloop.converter.attachment.ExecuteAccess;
 import org.evoloop.converter.attachment.Friends;
 import org.evoloop.converter.attachment.KnowledgeAccess;
+import org.evoloop.converter.attachment.UserCode;
 import org.evoloop.converter.binding.Bindings;
 import org.evoloop.converter.recording.FailureLog;
 import org.evoloop.converter.recording.Transcript;
@@ -161,7 +162,7 @@ public final class EdgeShell implements AutoCloseable {
         access.bindings().watch(config, failures::fault);
         Supplier<Configuration> place = () -> at;
         access.attach(place);
-        visits.attach(loop);
+        visits.attach(loop, EdgeShell::decidedElsewhere);
         loop.addAnalyze(new EventAnalyze());
         loop.addPlan(new EventPlan());
         for (Component component : assembly.all()) {
@@ -228,19 +229,12 @@ public final class EdgeShell implements AutoCloseable {
         });
     }
 
-    private interface Work {
-        void run() throws Exception;
-    }
-
-    private void carryOut(long sequence, String who, String what, Work work) throws InterruptedException {
+    private void carryOut(long sequence, String who, String what, UserCode.Call work) throws InterruptedException {
         synchronized (this) {
             asked = sequence;
         }
-        try {
-            work.run();
-        } catch (InterruptedException stop) {
-            throw stop;
-        } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {
+        Throwable cause = UserCode.call(work);
+        if (cause != null) {
             Failure<Occurrence> failure = new Failure<>(who, what, 0, null, cause);
             failures.log(failure);
             boolean unknown = cause instanceof UnknownEffectException;
@@ -310,12 +304,17 @@ public final class EdgeShell implements AutoCloseable {
     }
 
     private void settle(ExecuteAccess execute, Configuration now) {
+        tell(execute, "settled", () -> execute.settled(now));
+    }
+
+    private void tell(ExecuteAccess execute, String phase, UserCode.Call call) {
         try {
-            execute.settled(now);
+            Throwable cause = UserCode.call(call);
+            if (cause != null) {
+                failed(execute, phase, cause);
+            }
         } catch (InterruptedException stop) {
             Thread.currentThread().interrupt();
-        } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {
-            failed(execute, "settled", cause);
         }
     }
 
@@ -412,13 +411,7 @@ public final class EdgeShell implements AutoCloseable {
         visits.leave();
         loop.close();
         for (ExecuteAccess execute : executes()) {
-            try {
-                execute.released();
-            } catch (InterruptedException stop) {
-                Thread.currentThread().interrupt();
-            } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {
-                failed(execute, "released", cause);
-            }
+            tell(execute, "released", execute::released);
         }
     }
 }

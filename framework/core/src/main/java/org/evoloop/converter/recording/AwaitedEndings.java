@@ -9,8 +9,11 @@ import java.util.function.Consumer;
 import org.evoloop.converter.attachment.Endings;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.EventOutcome;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Outcome;
+import org.evoloop.evolution.Step;
+import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -20,8 +23,11 @@ import org.jspecify.annotations.Nullable;
  * <p>Threading: thread-safe; costs nothing while nobody waits.
  */
 public final class AwaitedEndings implements Endings {
+    /** How the core's reason begins if a plan was overtaken. */
+    private static final String OVERTAKEN = "overtaken";
+
     private final boolean threads;
-    private final IdentityHashMap<Occurrence, Consumer<Ended>> waiting = new IdentityHashMap<>();
+    private final IdentityHashMap<Occurrence, Consumer<EventOutcome>> waiting = new IdentityHashMap<>();
     private final ConcurrentLinkedQueue<Runnable> due = new ConcurrentLinkedQueue<>();
     private volatile boolean any;
     private volatile boolean closed;
@@ -32,16 +38,16 @@ public final class AwaitedEndings implements Endings {
     }
 
     @Override
-    public void await(Occurrence occurrence, Consumer<Ended> then) {
+    public void await(Occurrence occurrence, Consumer<EventOutcome> then) {
         synchronized (waiting) {
             waiting.put(occurrence, then);
             any = true;
         }
     }
 
-    private @Nullable Consumer<Ended> take(Occurrence occurrence) {
+    private @Nullable Consumer<EventOutcome> take(Occurrence occurrence) {
         synchronized (waiting) {
-            Consumer<Ended> then = waiting.remove(occurrence);
+            Consumer<EventOutcome> then = waiting.remove(occurrence);
             any = !waiting.isEmpty();
             return then;
         }
@@ -55,25 +61,51 @@ public final class AwaitedEndings implements Endings {
             @Nullable Decision decision,
             String detail) {
         if (any) {
-            Consumer<Ended> then = take(occurrence);
+            Consumer<EventOutcome> then = take(occurrence);
             if (then != null) {
                 String words = HistoryLine.detail(decision, detail);
-                tell(then, new Ended(before, after, outcome, decision, words));
+                tell(then, outcome(before, after, outcome, decision, words));
             }
         }
+    }
+
+    private static EventOutcome outcome(
+            Configuration before, Configuration after, Outcome outcome, @Nullable Decision decision, String why) {
+        return switch (outcome) {
+            case HANDLED -> new EventOutcome.Handled(before, after, sent(decision));
+            case IGNORED ->
+                decision instanceof Decision.NotAcceptable
+                        ? new EventOutcome.NotAcceptable(why)
+                        : new EventOutcome.Refused(why);
+            case STALE -> new EventOutcome.Stale(why);
+            case DROPPED -> new EventOutcome.Dropped(why);
+            case FAILED ->
+                why.startsWith(OVERTAKEN)
+                        ? new EventOutcome.Overtaken(before, after, why)
+                        : new EventOutcome.Failed(before, after, why);
+        };
+    }
+
+    private static List<Event> sent(@Nullable Decision decision) {
+        return decision == null
+                ? List.of()
+                : decision.steps().stream()
+                        .filter(step -> !step.byDevice())
+                        .map(Step::trigger)
+                        .toList();
     }
 
     /** The converter is closed, and does not take it, or not any more. */
     public void refused(Occurrence occurrence) {
         if (any) {
-            Consumer<Ended> then = take(occurrence);
+            Consumer<EventOutcome> then = take(occurrence);
             if (then != null) {
-                tell(then, new Ended(null, null, null, null, "the converter was stopped before its turn came"));
+                tell(then, new EventOutcome.Refused("the converter was stopped before its turn came"));
             }
         }
     }
 
-    private void tell(Consumer<Ended> then, Ended ended) {
+    private void tell(Consumer<EventOutcome> then, EventOutcome ended) {
         if (threads && !closed) {
             ForkJoinPool.commonPool().execute(() -> then.accept(ended));
         } else {
@@ -91,14 +123,13 @@ public final class AwaitedEndings implements Endings {
     /** The converter has been closed: what has not ended does not end any more. */
     void close() {
         closed = true;
-        List<Consumer<Ended>> left;
+        List<Consumer<EventOutcome>> left;
         synchronized (waiting) {
             left = new ArrayList<>(waiting.values());
             waiting.clear();
             any = false;
         }
-        left.forEach(then ->
-                then.accept(new Ended(null, null, null, null, "the converter was closed before its turn came")));
+        left.forEach(then -> then.accept(new EventOutcome.Refused("the converter was closed before its turn came")));
         deliver();
     }
 }

@@ -28,9 +28,9 @@ import org.evoloop.converter.UnknownEffectException;
 import org.evoloop.converter.attachment.ExecuteAccess;
 import org.evoloop.converter.attachment.Friends;
 import org.evoloop.converter.attachment.KnowledgeAccess;
-import org.evoloop.converter.recording.Books;
 import org.evoloop.converter.recording.FailureLog;
 import org.evoloop.converter.recording.Listeners;
+import org.evoloop.converter.recording.Records;
 import org.evoloop.engine.Output;
 import org.evoloop.engine.Rules;
 import org.evoloop.engine.Swap;
@@ -67,12 +67,12 @@ public final class ConverterShell implements LoopListener<Occurrence> {
 
     private final LoopConfig config;
     private final CurrentKnowledge knowledge;
-    private final Books books;
+    private final Records records;
     private final MapeLoop<Occurrence, Analysis, ChangePlan> loop;
     private final Visits visits;
     private final CoreDriver driver;
     private final Senders senders;
-    private final Carrier carrier;
+    private final PlanExecutor executor;
     private final Hooks hooks;
 
     /** Whether it was opened and has not released the device since. */
@@ -89,31 +89,31 @@ public final class ConverterShell implements LoopListener<Occurrence> {
             Sentry.@Nullable Posting posting) {
         this.config = config;
         this.knowledge = new CurrentKnowledge(first);
-        this.books = new Books(config, failures, listeners);
+        this.records = new Records(config, failures, listeners);
         this.hooks = new Hooks(config, closing);
-        this.visits = new Visits(config, knowledge, books.transcript(), books.failures());
-        Watchman watchman = new Watchman(config.clock(), posting);
+        this.visits = new Visits(config, knowledge, records.transcript(), records.failures());
+        SentryFeed sentryFeed = new SentryFeed(config.clock(), posting);
         this.driver = new CoreDriver(
                 new Rules(table, knowledge.access()::timersOf, config.queueCapacity(), config.pressAge()),
                 config.clock(),
                 knowledge,
-                books,
+                records,
                 visits::leaving,
                 journal,
-                watchman);
+                sentryFeed);
         this.senders = new Senders(driver);
-        this.carrier = new Carrier(driver, senders, visits, knowledge, books, this::failed);
-        this.loop = new MapeLoop<>(config, this, senders, new CoreIntake(driver, watchman));
+        this.executor = new PlanExecutor(driver, senders, visits, knowledge, records, this::failed);
+        this.loop = new MapeLoop<>(config, this, senders, new CoreIntake(driver, sentryFeed));
         senders.attach(loop::isStuck);
-        carrier.attach(loop::look);
-        visits.attach(loop);
-        watchman.attach(driver, loop::offer);
+        executor.attach(loop::look);
+        visits.attach(loop, records.listeners().endings());
+        sentryFeed.attach(driver, loop::offer);
         adopt(first);
     }
 
     private void adopt(StateKnowledge adopted) {
         KnowledgeAccess access = Friends.KNOWLEDGE.of(adopted);
-        access.bindings().watch(config, books.failures()::fault);
+        access.bindings().watch(config, records.failures()::fault);
         access.attach(driver::configuration);
     }
 
@@ -128,8 +128,8 @@ public final class ConverterShell implements LoopListener<Occurrence> {
     }
 
     /** Its records. */
-    public Books books() {
-        return books;
+    public Records records() {
+        return records;
     }
 
     /** The events that its components can send. */
@@ -184,7 +184,7 @@ public final class ConverterShell implements LoopListener<Occurrence> {
         EventNames names = knowledge.access().eventNames();
         monitors.forEach(monitor -> Friends.MONITOR.of(monitor).useNames(names));
         visits.becomes(evolved.fate().at().evolved());
-        carrier.carryOut();
+        executor.carryOut();
         Fate.Maps fate = evolved.fate();
         return new Evolution.Result(
                 evolved.occurrence().model(),
@@ -220,13 +220,13 @@ public final class ConverterShell implements LoopListener<Occurrence> {
                             knowledge.access().eventNames(),
                             driver::holding,
                             event -> driver.rules().table().isDevicesOwn(event),
-                            books.listeners().endings());
+                            records.listeners().endings());
         } else if (component instanceof EventAnalyze analyze) {
             Friends.ANALYZE.of(analyze).accept(driver);
         } else if (component instanceof EventPlan plan) {
             Friends.PLAN.of(plan).accept(driver);
         } else if (component instanceof EventExecute execute) {
-            Friends.EXECUTE.of(execute).attach(carrier);
+            Friends.EXECUTE.of(execute).attach(executor);
         } else {
             throw new IllegalArgumentException(component.name() + " is not a component of a converter");
         }
@@ -245,7 +245,7 @@ public final class ConverterShell implements LoopListener<Occurrence> {
             hook(execute, "settled", config.stepLimit(), () -> execute.settled(driver.configuration()));
         }
         driver.watch();
-        loop.start(carrier::carryOut);
+        loop.start(executor::carryOut);
     }
 
     /** Whether it still has to release the device. */
@@ -271,10 +271,10 @@ public final class ConverterShell implements LoopListener<Occurrence> {
         driver.release();
         // The function may take the join limit to end, and then its endings run.
         Duration limit = config.joinLimit().multipliedBy(2);
-        String hangs = hooks.call(limit, carrier::carryOut);
+        String hangs = hooks.call(limit, executor::carryOut);
         if (!hangs.isEmpty()) {
-            carrier.abandon();
-            books.failures()
+            executor.abandon();
+            records.failures()
                     .fault("end of a visit", new Failure<>("visit", "onEnd", 0, null, Hooks.late(limit, hangs)));
         }
         for (ExecuteAccess execute : senders.all()) {
@@ -312,8 +312,8 @@ public final class ConverterShell implements LoopListener<Occurrence> {
     }
 
     private void report(Failure<Occurrence> failure) {
-        books.failures().log(failure);
-        books.listeners().failed(failure);
+        records.failures().log(failure);
+        records.listeners().failed(failure);
     }
 
     ConverterStatus.EventCounts counts() {
@@ -354,7 +354,7 @@ public final class ConverterShell implements LoopListener<Occurrence> {
                 loop.components(),
                 visits.runningFunction(),
                 closed.isPresent() ? List.of() : visits.runningTimers(driver.deadlines()),
-                books.failures().faults(),
+                records.failures().faults(),
                 link == null ? null : new ConverterStatus.LinkStatus(link.isUp(), link.describe(), link.readings()));
     }
 
@@ -366,7 +366,7 @@ public final class ConverterShell implements LoopListener<Occurrence> {
 
     @Override
     public void returnedNull(String component, String role, int inARow, Occurrence about) {
-        carrier.dismiss(about);
+        executor.dismiss(about);
         if (inARow % MOST_NULLS == 0) {
             Failure<Occurrence> failure = new Failure<>(
                     component,
@@ -383,11 +383,11 @@ public final class ConverterShell implements LoopListener<Occurrence> {
     /** Counts a failure of the code that an unresponsive component was calling. */
     private void blame(Failure<Occurrence> failure) {
         for (String guard : knowledge.bindings().asked()) {
-            books.failures().note("guard [" + guard + "]", failure);
+            records.failures().note("guard [" + guard + "]", failure);
         }
-        String effect = carrier.runningEffect();
+        String effect = executor.runningEffect();
         if (!effect.isEmpty()) {
-            books.failures().note("effect " + effect, failure);
+            records.failures().note("effect " + effect, failure);
         }
     }
 
@@ -396,14 +396,14 @@ public final class ConverterShell implements LoopListener<Occurrence> {
         report(failure);
         Occurrence occurrence = failure.occurrence();
         if (occurrence != null) {
-            carrier.breakOff(occurrence, failure.toString(), unknown);
+            executor.breakOff(occurrence, failure.toString(), unknown);
         }
     }
 
     @Override
     public void dropped(Occurrence occurrence, boolean first) {
         if (first) {
-            books.failures()
+            records.failures()
                     .warn("the queue of " + config.queueCapacity()
                             + " events is full, and events are lost; status counts them, history names them");
         }

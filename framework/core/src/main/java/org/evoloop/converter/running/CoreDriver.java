@@ -13,9 +13,9 @@ import org.evoloop.converter.Probation;
 import org.evoloop.converter.ShadowReport;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.attachment.DecisionHost;
-import org.evoloop.converter.recording.Books;
 import org.evoloop.converter.recording.History;
 import org.evoloop.converter.recording.LatencyWindow;
+import org.evoloop.converter.recording.Records;
 import org.evoloop.converter.recording.Replayed;
 import org.evoloop.engine.Core;
 import org.evoloop.engine.Output;
@@ -35,7 +35,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The core of a running converter, with the lock that guards it. Inputs about occurrences come from {@link CoreIntake}
- * and {@link Carrier}; those about the converter as a whole, such as other models, from here.
+ * and {@link PlanExecutor}; those about the converter as a whole, such as other models, from here.
  *
  * <p>Threading: thread-safe. Its lock, which is this object's, is held for as long as the core and its outputs take,
  * which is short; no user code runs under it. A thread that holds the loop's lock may take this one, never the other
@@ -52,9 +52,9 @@ public final class CoreDriver implements DecisionHost {
     final CoreOutputs outputs;
     final Clock clock;
     private final CurrentKnowledge knowledge;
-    private final Books books;
+    private final Records records;
     private final @Nullable ConverterJournal journal;
-    private final Watchman watchman;
+    private final SentryFeed sentryFeed;
 
     private volatile Rules rules;
 
@@ -70,39 +70,39 @@ public final class CoreDriver implements DecisionHost {
             Rules rules,
             Clock clock,
             CurrentKnowledge knowledge,
-            Books books,
+            Records records,
             Supplier<String> leaving,
             @Nullable ConverterJournal journal,
-            Watchman watchman) {
+            SentryFeed sentryFeed) {
         this.rules = rules;
         this.clock = clock;
         this.knowledge = knowledge;
-        this.books = books;
+        this.records = records;
         Snapshot kept = journal == null
                 ? null
                 : journal.open(
                         rules,
                         clock,
                         new Replayed(
-                                books.history(),
-                                books.latency(),
+                                records.history(),
+                                records.latency(),
                                 rules.table().models().initial()));
         Configuration at = kept == null ? rules.table().models().initial() : kept.at();
-        this.outputs = new CoreOutputs(at, knowledge, books, leaving, watchman);
-        this.watchman = watchman;
+        this.outputs = new CoreOutputs(at, knowledge, records, leaving, sentryFeed);
+        this.sentryFeed = sentryFeed;
         this.core = kept == null ? new Core(rules, outputs) : new Core(rules, kept, outputs);
         if (kept != null) {
-            books.history().countOn(ended(kept.tally()));
+            records.history().countOn(ended(kept.tally()));
             core.recovered(clock.nanoTime());
         }
         this.journal = journal;
         this.inputs = new ShadowedInputs(
-                journal == null ? core : journal.keep(core, books::journalFailed, books::journalWorks));
+                journal == null ? core : journal.keep(core, records::journalFailed, records::journalWorks));
     }
 
     /** Starts watching the models. */
     synchronized void watch() {
-        watchman.begin(rules.table().models(), core.at());
+        sentryFeed.begin(rules.table().models(), core.at());
     }
 
     @Override
@@ -185,7 +185,7 @@ public final class CoreDriver implements DecisionHost {
         inputs.evolved(swap, clock.nanoTime());
         rules = swap.rules();
         knowledge.become(next);
-        watchman.begin(rules.table().models(), core.at());
+        sentryFeed.begin(rules.table().models(), core.at());
         return outputs.evolution();
     }
 
@@ -222,7 +222,7 @@ public final class CoreDriver implements DecisionHost {
 
     /** The number of ended events in the history. */
     public synchronized long recorded() {
-        return books.history().number();
+        return records.history().number();
     }
 
     /** An event has ended. The lock is held. */
@@ -268,7 +268,7 @@ public final class CoreDriver implements DecisionHost {
     }
 
     public synchronized List<HistoryEntry> history() {
-        return books.history().entries();
+        return records.history().entries();
     }
 
     /** The number of ended events in the history. */
@@ -280,7 +280,7 @@ public final class CoreDriver implements DecisionHost {
     public List<HistoryEntry> history(int count) {
         ConverterJournal kept = journal;
         synchronized (this) {
-            if (kept == null || books.history().reaches(count)) {
+            if (kept == null || records.history().reaches(count)) {
                 List<HistoryEntry> entries = history();
                 return entries.subList(Math.max(0, entries.size() - count), entries.size());
             }
@@ -294,7 +294,7 @@ public final class CoreDriver implements DecisionHost {
     }
 
     synchronized ConverterStatus.ConversionTime conversionTime() {
-        return books.latency().summary();
+        return records.latency().summary();
     }
 
     /** Why the record may be wrong; empty if it is certain. */

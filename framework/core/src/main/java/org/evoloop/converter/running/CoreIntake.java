@@ -22,15 +22,15 @@ final class CoreIntake implements Intake<Occurrence> {
     private final Inputs inputs;
     private final CoreOutputs outputs;
     private final Clock clock;
-    private final Watchman watchman;
+    private final SentryFeed sentryFeed;
 
-    CoreIntake(CoreDriver driver, Watchman watchman) {
+    CoreIntake(CoreDriver driver, SentryFeed sentryFeed) {
         this.driver = driver;
         this.core = driver.core;
         this.inputs = driver.inputs;
         this.outputs = driver.outputs;
         this.clock = driver.clock;
-        this.watchman = watchman;
+        this.sentryFeed = sentryFeed;
     }
 
     /** @throws IllegalArgumentException if its time is in the future: all timers would be late by as much */
@@ -40,7 +40,7 @@ final class CoreIntake implements Intake<Occurrence> {
             requireNow(occurrence);
             outputs.admission = Admission.TAKEN;
             if (core.isOpen() || occurrence.isFact()) {
-                watchman.comes(occurrence, core.at());
+                sentryFeed.comes(occurrence, core.at());
             }
             if (occurrence.source() == Source.TIMER && occurrence instanceof Occurrence.Heard timer) {
                 inputs.timerDue(timer.visit(), timer.event(), timer.observedNanos());

@@ -3,7 +3,7 @@ package org.evoloop.converter.running;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.function.Supplier;
-import org.evoloop.converter.recording.Books;
+import org.evoloop.converter.recording.Records;
 import org.evoloop.engine.Output;
 import org.evoloop.engine.Outputs;
 import org.evoloop.engine.Pending;
@@ -41,9 +41,9 @@ final class CoreOutputs implements Outputs {
     Outputs shadow;
 
     private final CurrentKnowledge knowledge;
-    private final Books books;
+    private final Records records;
     private final Supplier<String> progress;
-    private final Watchman watchman;
+    private final SentryFeed sentryFeed;
     private volatile Configuration at;
     private Output.@Nullable Evolved evolution;
 
@@ -57,12 +57,16 @@ final class CoreOutputs implements Outputs {
 
     /** @param progress that of the function that is about to be left, in words; empty if there is none */
     CoreOutputs(
-            Configuration at, CurrentKnowledge knowledge, Books books, Supplier<String> progress, Watchman watchman) {
-        this.watchman = watchman;
+            Configuration at,
+            CurrentKnowledge knowledge,
+            Records records,
+            Supplier<String> progress,
+            SentryFeed sentryFeed) {
+        this.sentryFeed = sentryFeed;
         this.progress = progress;
         this.at = at;
         this.knowledge = knowledge;
-        this.books = books;
+        this.records = records;
     }
 
     /** Where device and evolved system are. */
@@ -95,8 +99,8 @@ final class CoreOutputs implements Outputs {
     public void begin(Pending pending) {
         begun = pending;
         left = false;
-        books.flight().begun(pending.occurrence());
-        books.transcript().observed(pending.occurrence());
+        records.flight().begun(pending.occurrence());
+        records.transcript().observed(pending.occurrence());
         if (shadow != null) {
             shadow.begin(pending);
         }
@@ -105,7 +109,7 @@ final class CoreOutputs implements Outputs {
     @Override
     public void send(Step step) {
         agenda.add(new Output.Send(step));
-        books.transcript().step(step);
+        records.transcript().step(step);
         if (shadow != null) {
             shadow.send(step);
         }
@@ -114,29 +118,29 @@ final class CoreOutputs implements Outputs {
     @Override
     public void queued(Occurrence occurrence) {
         // It counts as taken unless another notice says otherwise.
-        books.flight().observed(occurrence, "queued");
+        records.flight().observed(occurrence, "queued");
     }
 
     @Override
     public void dropped(Occurrence occurrence, boolean first) {
         admission = first ? Admission.FIRST_DROPPED : Admission.DROPPED;
-        books.flight().observed(occurrence, "dropped");
-        books.record(occurrence, at, at, Outcome.DROPPED, null, "the queue was full", "");
+        records.flight().observed(occurrence, "dropped");
+        records.record(occurrence, at, at, Outcome.DROPPED, null, "the queue was full", "");
     }
 
     @Override
     public void refused(Occurrence occurrence) {
         admission = Admission.REFUSED;
-        books.flight().observed(occurrence, "refused");
-        books.listeners().endings().refused(occurrence);
+        records.flight().observed(occurrence, "refused");
+        records.listeners().endings().refused(occurrence);
     }
 
     @Override
     public void decided(Pending pending, Decision decision, long waitedNanos) {
-        books.transcript().decided(decision);
-        books.latency().record(waitedNanos);
-        books.listeners().converted(waitedNanos);
-        books.flight().decided(waitedNanos);
+        records.transcript().decided(decision);
+        records.latency().record(waitedNanos);
+        records.listeners().converted(waitedNanos);
+        records.flight().decided(waitedNanos);
         if (shadow != null) {
             shadow.decided(pending, decision, waitedNanos);
         }
@@ -144,12 +148,12 @@ final class CoreOutputs implements Outputs {
 
     @Override
     public void overtaken(Occurrence occurrence, String why) {
-        books.transcript().ended(occurrence, at);
+        records.transcript().ended(occurrence, at);
     }
 
     @Override
     public void took(Step step) {
-        books.transcript().command(step.trigger());
+        records.transcript().command(step.trigger());
         if (shadow != null) {
             shadow.took(step);
         }
@@ -158,13 +162,13 @@ final class CoreOutputs implements Outputs {
     @Override
     public void moved(Configuration before, Configuration after) {
         at = after;
-        watchman.moved(after);
-        books.listeners().moved(before, after);
+        sentryFeed.moved(after);
+        records.listeners().moved(before, after);
     }
 
     @Override
     public void evolved(Occurrence.Evolved occurrence, Configuration before, Fate.Maps fate) {
-        books.transcript().evolved(occurrence);
+        records.transcript().evolved(occurrence);
         evolution = new Output.Evolved(occurrence, before, fate);
     }
 
@@ -176,9 +180,9 @@ final class CoreOutputs implements Outputs {
     @Override
     public void doubted(String why) {
         if (!why.isEmpty()) {
-            books.failures().warnSoon("the state of the device is in doubt: " + why);
+            records.failures().warnSoon("the state of the device is in doubt: " + why);
         }
-        books.listeners().doubted(why);
+        records.listeners().doubted(why);
         if (shadow != null) {
             shadow.doubted(why);
         }
@@ -196,18 +200,18 @@ final class CoreOutputs implements Outputs {
             left = decision != null && decision.leavesState();
         }
         if (decision instanceof Decision.Impossible impossible) {
-            books.failures().warnSoon(occurrence + " in " + before + ": " + impossible.reason());
+            records.failures().warnSoon(occurrence + " in " + before + ": " + impossible.reason());
         }
         if (occurrence instanceof Occurrence.Heard heard) {
             warnOfUnknown(heard, outcome, detail);
         } else if (occurrence instanceof Occurrence.Found && outcome == Outcome.FAILED) {
-            books.failures().warnSoon(detail);
+            records.failures().warnSoon(detail);
         } else if (occurrence instanceof Occurrence.Violated violated) {
-            books.failures().warnSoon("'" + violated.property() + "' is violated in " + after);
-            books.transcript().violated(violated);
+            records.failures().warnSoon("'" + violated.property() + "' is violated in " + after);
+            records.transcript().violated(violated);
         }
-        books.transcript().ended(occurrence, after);
-        books.record(occurrence, before, after, outcome, decision, detail, lastWords(occurrence));
+        records.transcript().ended(occurrence, after);
+        records.record(occurrence, before, after, outcome, decision, detail, lastWords(occurrence));
         if (shadow != null) {
             shadow.ended(occurrence, before, after, outcome, decision, detail);
         }
@@ -229,7 +233,7 @@ final class CoreOutputs implements Outputs {
             unknown = null;
         } else if (!heard.event().equals(unknown)) {
             unknown = heard.event();
-            books.failures().warnSoon(detail + " (" + heard.source().name().toLowerCase(Locale.ROOT) + ")");
+            records.failures().warnSoon(detail + " (" + heard.source().name().toLowerCase(Locale.ROOT) + ")");
         }
     }
 }

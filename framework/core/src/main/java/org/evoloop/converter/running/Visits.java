@@ -7,10 +7,13 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import org.evoloop.converter.ConverterStatus;
+import org.evoloop.converter.attachment.Endings;
 import org.evoloop.converter.recording.FailureLog;
 import org.evoloop.converter.recording.Transcript;
 import org.evoloop.engine.Output;
+import org.evoloop.evolution.EventOutcome;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Values;
@@ -50,6 +53,7 @@ public final class Visits implements VisitHost {
     private final FailureLog failures;
     private final FunctionRunner functions;
     private @Nullable MapeLoop<Occurrence, ?, ?> loop;
+    private volatile @Nullable Endings endings;
     private @Nullable HostedVisit current;
 
     /** The state of the current visit, in terms of the present models. */
@@ -76,7 +80,8 @@ public final class Visits implements VisitHost {
     }
 
     /** Sets the loop that takes the raised events; before the first visit. */
-    public void attach(MapeLoop<Occurrence, ?, ?> joined) {
+    public void attach(MapeLoop<Occurrence, ?, ?> joined, Endings ends) {
+        endings = ends;
         loop = joined;
     }
 
@@ -293,6 +298,20 @@ public final class Visits implements VisitHost {
     @Override
     public void send(Visit asking, Event event, Values values) throws InterruptedException {
         put(new Occurrence.Asked(event, values, asking.number(), config.clock().nanoTime()));
+    }
+
+    @Override
+    public void ask(Visit asking, Event event, Values values, Consumer<EventOutcome> then) {
+        Endings told = endings;
+        MapeLoop<Occurrence, ?, ?> joined = loop;
+        if (told == null || joined == null) {
+            then.accept(new EventOutcome.Refused("the converter is not built yet"));
+            return;
+        }
+        Occurrence asked = new Occurrence.Asked(
+                event, values, asking.number(), config.clock().nanoTime());
+        told.await(asked, then);
+        joined.offer(asked);
     }
 
     private void put(Occurrence occurrence) throws InterruptedException {

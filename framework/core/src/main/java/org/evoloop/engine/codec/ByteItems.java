@@ -1,29 +1,92 @@
 package org.evoloop.engine.codec;
 
+import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
-/** The items that {@link ByteWriter} has written. */
-final class ByteItems extends Items {
+/**
+ * The items that {@link ByteWriter} has written. The names that a writer with a table has written are kept from one part of the
+ * bytes to the next.
+ *
+ * <p>Errors: what cannot be read is a {@link CodecException}. A count is not checked: whoever makes a list of many items must
+ * not reserve memory for it in advance.
+ *
+ * <p>Threading: not thread-safe.
+ *
+ * @since 0.1
+ */
+public final class ByteItems extends Items {
+    private final String title;
     private final byte[] bytes;
+    private final @Nullable List<String> table;
     private int place;
+    private int end;
 
-    ByteItems(byte[] bytes, int from) {
+    private ByteItems(String title, byte[] bytes, int from, @Nullable List<String> table) {
+        this.title = title;
         this.bytes = bytes;
         this.place = from;
+        this.end = bytes.length;
+        this.table = table;
+    }
+
+    /**
+     * Those of a writer without a table.
+     *
+     * @param title what the bytes are, in messages
+     * @param from where in {@code bytes} they begin; they end where {@code bytes} ends
+     */
+    public ByteItems(String title, byte[] bytes, int from) {
+        this(title, bytes, from, null);
+    }
+
+    /** Those of a writer with a table. Messages say only what is wrong; the place and the remedy are up to the caller. */
+    public static ByteItems withTable(byte[] bytes) {
+        return new ByteItems("", bytes, 0, new ArrayList<>());
+    }
+
+    /** Goes to another part of the bytes. */
+    public void goTo(int from, int length) {
+        place = from;
+        end = from + length;
     }
 
     @Override
-    SnapshotException wrong(String what) {
-        return new SnapshotException("snapshot, before byte " + place + ": " + what);
+    CodecException wrong(String what, String remedy) {
+        return new CodecException(
+                title.isEmpty() ? what : title + ", before byte " + place + ": " + what + "; " + remedy);
     }
 
     @Override
-    SnapshotException damaged(String what) {
-        return wrong(what + "; the bytes are damaged, use another copy or start without it");
+    CodecException damaged(String what) {
+        return wrong(what, "the bytes are damaged, use another copy or start without it");
     }
 
-    private int octet() {
-        if (place >= bytes.length) {
+    /**
+     * Checks the version of a format.
+     *
+     * @throws CodecException if it is another than the one that is read
+     */
+    public void requireVersion(long found, long read) {
+        if (found != read) {
+            throw wrong(
+                    "version " + found + " cannot be read, only version " + read,
+                    "use the version of Evoloop that wrote it, or start without it");
+        }
+    }
+
+    /** Reads the number of one of a few. */
+    public <T> T oneOf(List<T> few) {
+        long number = number();
+        if (number < 0 || number >= few.size()) {
+            throw damaged("one of " + few + " was expected, not " + number);
+        }
+        return few.get((int) number);
+    }
+
+    /** Reads one byte. */
+    public int octet() {
+        if (place >= end) {
             throw damaged("they end too early");
         }
         return bytes[place++] & 0xff;
@@ -49,9 +112,9 @@ final class ByteItems extends Items {
     void ends() {}
 
     @Override
-    void endsAll() {
-        if (place < bytes.length) {
-            throw damaged("there is more text after the end");
+    public void endsAll() {
+        if (place < end) {
+            throw damaged("there is more after the end");
         }
     }
 
@@ -86,7 +149,7 @@ final class ByteItems extends Items {
     }
 
     @Override
-    long number() {
+    public long number() {
         long folded = unsigned();
         return (folded >>> 1) ^ -(folded & 1);
     }
@@ -104,14 +167,28 @@ final class ByteItems extends Items {
     }
 
     @Override
-    String text() {
+    public String text() {
         long header = unsigned();
         boolean wide = (header & ByteWriter.WIDE) != 0;
         long count = header >>> 1;
-        if (count > (bytes.length - place) / (wide ? 2 : 1)) {
+        if (count > (end - place) / (wide ? 2 : 1)) {
             throw damaged("a text is longer than the rest");
         }
         return wide ? wide((int) count) : narrow((int) count);
+    }
+
+    @Override
+    public String name() {
+        if (table == null) {
+            return text();
+        }
+        long number = number();
+        if (number == table.size()) {
+            table.add(text());
+        } else if (number < 0 || number > table.size()) {
+            throw damaged("a name has the number " + number + " of " + table.size());
+        }
+        return table.get((int) number);
     }
 
     @SuppressWarnings("deprecation") // It does not decode, which is right here: the core uses no charsets.
@@ -139,11 +216,10 @@ final class ByteItems extends Items {
         } else if (type != ByteWriter.NUMBER) {
             throw damaged("there is no value of type " + type);
         }
-        String number = text();
-        try {
-            return Double.valueOf(number);
-        } catch (NumberFormatException e) {
-            throw damaged("'" + number + "' is not a value");
+        long bits = 0;
+        for (int read = 0; read < Long.BYTES; read++) {
+            bits = (bits << Byte.SIZE) | octet();
         }
+        return Double.longBitsToDouble(bits);
     }
 }

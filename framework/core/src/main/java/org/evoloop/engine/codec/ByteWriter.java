@@ -1,10 +1,23 @@
 package org.evoloop.engine.codec;
 
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
-/** Writes items as bytes: numbers in as few as they need, texts after their length, no names of groups. */
-final class ByteWriter extends ItemWriter {
+/**
+ * Writes items as bytes: numbers in as few as they need, texts after their length, no names of groups. A writer with a table
+ * spells a name out at its first use, and writes its number from then on.
+ *
+ * <p>Threading: not thread-safe.
+ *
+ * @since 0.1
+ */
+public final class ByteWriter extends ItemWriter {
+    /** Enough for most snapshots. */
+    private static final int CAPACITY = 192;
+
     static final int TEXT = 0;
     static final int NUMBER = 1;
     static final int FALSE = 2;
@@ -23,20 +36,53 @@ final class ByteWriter extends ItemWriter {
     /** The most bytes of a number. */
     private static final int MOST_OF_NUMBER = 10;
 
-    private byte[] bytes;
+    private final @Nullable Map<String, Integer> table;
+    private byte[] bytes = new byte[CAPACITY];
     private int length;
 
-    /** Continues after the first {@code length} bytes of {@code bytes}. */
-    ByteWriter(byte[] bytes, int length) {
-        this.bytes = bytes;
-        this.length = length;
+    private ByteWriter(@Nullable Map<String, Integer> table) {
+        this.table = table;
     }
 
-    byte[] written() {
+    /** One that spells out each name. */
+    public ByteWriter() {
+        this(null);
+    }
+
+    /** One with a table of names. */
+    public static ByteWriter withTable() {
+        return new ByteWriter(new HashMap<>());
+    }
+
+    /** Forgets what was written, but for the names in the table. */
+    public void clear() {
+        length = 0;
+    }
+
+    /** Forgets the names in the table. */
+    public void forgetNames() {
+        if (table != null) {
+            table.clear();
+        }
+    }
+
+    /** A copy of what was written. */
+    public byte[] written() {
         return Arrays.copyOf(bytes, length);
     }
 
-    private ItemWriter octet(int value) {
+    /** The memory in which the first {@link #length} bytes were written; not a copy. */
+    public byte[] array() {
+        return bytes;
+    }
+
+    /** How many bytes were written. */
+    public int length() {
+        return length;
+    }
+
+    /** Writes one byte. */
+    public ByteWriter octet(int value) {
         room(1);
         bytes[length++] = (byte) value;
         return this;
@@ -86,7 +132,7 @@ final class ByteWriter extends ItemWriter {
     }
 
     @Override
-    ItemWriter number(long number) {
+    public ItemWriter number(long number) {
         // Negative numbers near zero become small positive ones.
         return unsigned((number << 1) ^ (number >> (Long.SIZE - 1)));
     }
@@ -107,7 +153,7 @@ final class ByteWriter extends ItemWriter {
 
     /** Writes one byte per character if that is enough for all of them, else two; so every string can be written. */
     @Override
-    ItemWriter text(String words) {
+    public ItemWriter text(String words) {
         int count = words.length();
         boolean narrow = isNarrow(words);
         unsigned(((long) count << 1) | (narrow ? 0 : WIDE));
@@ -128,6 +174,20 @@ final class ByteWriter extends ItemWriter {
         return this;
     }
 
+    @Override
+    public ItemWriter name(String name) {
+        if (table == null) {
+            return text(name);
+        }
+        Integer known = table.get(name);
+        if (known != null) {
+            return number(known);
+        }
+        number(table.size()).text(name);
+        table.put(name, table.size());
+        return this;
+    }
+
     private static boolean isNarrow(String words) {
         for (int at = 0; at < words.length(); at++) {
             if (words.charAt(at) > MOST_NARROW) {
@@ -144,7 +204,12 @@ final class ByteWriter extends ItemWriter {
         } else if (value instanceof Boolean truth) {
             return octet(truth ? TRUE : FALSE);
         }
-        return octet(NUMBER).text(value.toString());
+        octet(NUMBER);
+        long bits = Double.doubleToLongBits((Double) value);
+        for (int shift = Long.SIZE - Byte.SIZE; shift >= 0; shift -= Byte.SIZE) {
+            octet((int) (bits >>> shift));
+        }
+        return this;
     }
 
     @Override

@@ -3,8 +3,16 @@ package org.evoloop.engine.codec;
 import java.util.Collection;
 import java.util.List;
 
-/** Writes the items that {@link Items} reads. */
-abstract class ItemWriter {
+/**
+ * Writes the items that {@link Items} reads.
+ *
+ * <p>Threading: not thread-safe.
+ *
+ * @since 0.1
+ */
+public abstract class ItemWriter {
+    ItemWriter() {}
+
     /** Begins a group of this name. */
     abstract ItemWriter begin(String name);
 
@@ -24,9 +32,14 @@ abstract class ItemWriter {
     /** Writes one of a few words, by its index. */
     abstract ItemWriter choice(int which, List<String> words);
 
-    abstract ItemWriter number(long number);
+    /** Writes a whole number. */
+    public abstract ItemWriter number(long number);
 
-    abstract ItemWriter text(String text);
+    /** Writes a text that is unlikely to be repeated. */
+    public abstract ItemWriter text(String text);
+
+    /** Writes a name of the models, or another text that is repeated. */
+    public abstract ItemWriter name(String name);
 
     /** Writes a {@link String}, {@link Double} or {@link Boolean}. */
     abstract ItemWriter value(Object value);
@@ -34,14 +47,19 @@ abstract class ItemWriter {
     /** Ends the group. */
     abstract void end();
 
-    final ItemWriter truth(boolean truth) {
+    /** Writes true or false. */
+    public final ItemWriter truth(boolean truth) {
         return choice(truth, "true", "false");
     }
 
-    final ItemWriter texts(Collection<String> texts) {
-        number(texts.size());
-        for (String text : texts) {
-            text(text);
+    /** Writes several names, their count first. */
+    public final ItemWriter names(Collection<String> names) {
+        number(names.size());
+        // Most are none, and need no iterator then.
+        if (!names.isEmpty()) {
+            for (String name : names) {
+                name(name);
+            }
         }
         return this;
     }

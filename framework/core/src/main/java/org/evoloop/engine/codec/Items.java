@@ -3,13 +3,27 @@ package org.evoloop.engine.codec;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The items of a snapshot, read one after another: groups of words, numbers and texts. */
-abstract class Items {
-    /** The exception for something that does not fit the models, or cannot be read. */
-    abstract SnapshotException wrong(String what);
+/**
+ * Items that were written, read one after another: groups of words, numbers, texts and names.
+ *
+ * <p>Errors: what cannot be read is a {@link CodecException}.
+ *
+ * <p>Threading: not thread-safe.
+ *
+ * @since 0.1
+ */
+public abstract class Items {
+    Items() {}
+
+    /**
+     * The exception for something that does not fit the models, or cannot be read.
+     *
+     * @param remedy what to do
+     */
+    abstract CodecException wrong(String what, String remedy);
 
     /** The exception for bytes or text that were changed after they were written. */
-    abstract SnapshotException damaged(String what);
+    abstract CodecException damaged(String what);
 
     /** Advances to the next group, which must be {@code name}. */
     abstract void next(String name);
@@ -21,7 +35,7 @@ abstract class Items {
     abstract void ends();
 
     /** Requires everything to be read. */
-    abstract void endsAll();
+    public abstract void endsAll();
 
     /** Whether nothing follows in an optional group. */
     abstract boolean isNone();
@@ -34,12 +48,22 @@ abstract class Items {
     /** Reads the index of one of a few words. */
     abstract int choice(List<String> words);
 
-    abstract long number();
+    /** Reads a whole number. */
+    public abstract long number();
 
-    abstract String text();
+    /** Reads a text. */
+    public abstract String text();
+
+    /** Reads a name. */
+    public abstract String name();
 
     /** Reads a text, a number or a truth that an event carries. */
     abstract Object value();
+
+    /** Reads true or false. */
+    public final boolean truth() {
+        return choice("true", "false");
+    }
 
     /** Reads a count that may be very large. */
     final long total() {
@@ -51,7 +75,7 @@ abstract class Items {
     }
 
     /** Reads a count. */
-    final int count() {
+    public final int count() {
         long count = number();
         if (count < 0 || count > Integer.MAX_VALUE) {
             throw damaged("a count was expected, not " + count);
@@ -59,16 +83,17 @@ abstract class Items {
         return (int) count;
     }
 
-    /** Reads several texts, their count first. */
-    final List<String> texts() {
+    /** Reads several names, their count first. */
+    public final List<String> names() {
         int count = count();
         if (count == 0) {
             return List.of();
         }
-        List<String> texts = new ArrayList<>();
-        while (texts.size() < count) {
-            texts.add(text());
+        // Not of this size: a count that is wrong must not take all memory.
+        List<String> names = new ArrayList<>();
+        while (names.size() < count) {
+            names.add(name());
         }
-        return texts;
+        return names;
     }
 }

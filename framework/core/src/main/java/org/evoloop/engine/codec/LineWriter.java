@@ -51,16 +51,21 @@ final class LineWriter extends ItemWriter {
     }
 
     @Override
-    ItemWriter number(long number) {
+    public ItemWriter number(long number) {
         text.append(' ').append(number);
         return this;
     }
 
     @Override
-    ItemWriter text(String words) {
+    public ItemWriter text(String words) {
         text.append(' ');
         Quoted.append(text, words);
         return this;
+    }
+
+    @Override
+    public ItemWriter name(String name) {
+        return text(name);
     }
 
     @Override

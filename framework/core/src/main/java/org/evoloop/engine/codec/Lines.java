@@ -23,13 +23,13 @@ final class Lines extends Items {
     }
 
     @Override
-    SnapshotException wrong(String what) {
-        return new SnapshotException("snapshot, line " + number + ": " + what);
+    CodecException wrong(String what, String remedy) {
+        return new CodecException("snapshot, line " + number + ": " + what + "; " + remedy);
     }
 
     @Override
-    SnapshotException damaged(String what) {
-        return wrong(what + "; the text is damaged, use another copy or start without it");
+    CodecException damaged(String what) {
+        return wrong(what, "the text is damaged, use another copy or start without it");
     }
 
     @Override
@@ -79,7 +79,7 @@ final class Lines extends Items {
     }
 
     @Override
-    void endsAll() {
+    public void endsAll() {
         ends();
         if (next < text.length()) {
             number++;
@@ -128,7 +128,7 @@ final class Lines extends Items {
     }
 
     @Override
-    long number() {
+    public long number() {
         int from = wordBegin();
         place = wordEnd(from);
         try {
@@ -165,7 +165,12 @@ final class Lines extends Items {
     }
 
     @Override
-    String text() {
+    public String name() {
+        return text();
+    }
+
+    @Override
+    public String text() {
         if (!isQuotedNext()) {
             throw damaged("a quoted string was expected");
         }
@@ -183,7 +188,7 @@ final class Lines extends Items {
         return text.substring(from, at);
     }
 
-    private SnapshotException open() {
+    private CodecException open() {
         return damaged("a string has no closing quote");
     }
 

@@ -11,8 +11,11 @@ import org.evoloop.statemachine.Transition;
 final class Names {
     private final ModelPair models;
     private final Items items;
+    private final boolean strict;
 
-    Names(ModelPair models, Items items) {
+    /** @param strict whether a state must be in the models */
+    Names(ModelPair models, Items items, boolean strict) {
+        this.strict = strict;
         this.models = models;
         this.items = items;
     }
@@ -26,18 +29,23 @@ final class Names {
     }
 
     private State state(StateMachine model) {
-        String name = items.text();
-        for (State state : model.states()) {
-            if (state.name().equals(name)) {
-                return state;
-            }
+        String name = items.name();
+        State state;
+        try {
+            state = new State(name);
+        } catch (ModelException e) {
+            throw items.damaged(String.valueOf(e.getMessage()));
         }
-        throw gone(model, "has no state '" + name + "'");
+        if (strict && !model.hasState(state)) {
+            throw gone(model, "has no state '" + name + "'");
+        }
+        return state;
     }
 
-    private SnapshotException gone(StateMachine model, String what) {
-        return items.wrong("the model '" + model.name() + "' " + what
-                + "; use the models with which it was written, or start without it");
+    private CodecException gone(StateMachine model, String what) {
+        return items.wrong(
+                "the model '" + model.name() + "' " + what,
+                "use the models with which it was written, or start without it");
     }
 
     Transition originalTransition() {
@@ -60,9 +68,9 @@ final class Names {
     }
 
     Event event() {
-        String name = items.text();
+        String name = items.name();
         try {
-            return new Event(name, items.texts());
+            return new Event(name, items.names());
         } catch (ModelException e) {
             throw items.damaged(String.valueOf(e.getMessage()));
         }

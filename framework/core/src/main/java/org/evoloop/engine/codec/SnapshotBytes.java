@@ -14,41 +14,38 @@ import org.evoloop.engine.Snapshot;
  */
 public final class SnapshotBytes {
     /** The version of the format. */
-    public static final int VERSION = 1;
-
-    /** Enough for most snapshots. */
-    private static final int CAPACITY = 192;
+    public static final int VERSION = 2;
 
     private SnapshotBytes() {}
 
     /** The bytes of {@code snapshot}; the first is the version. */
     public static byte[] write(Snapshot snapshot) {
-        return write(new byte[CAPACITY], 0, snapshot);
+        ByteWriter writer = new ByteWriter();
+        write(writer, snapshot);
+        return writer.written();
     }
 
-    /** The first {@code length} bytes of {@code head}, then those of {@code snapshot}. The rest of {@code head} is used, too. */
-    public static byte[] write(byte[] head, int length, Snapshot snapshot) {
-        ByteWriter writer = new ByteWriter(head, length);
+    /** Writes {@code snapshot} after what {@code writer} has written. */
+    public static void write(ByteWriter writer, Snapshot snapshot) {
         writer.number(VERSION);
         new SnapshotWriter(writer).write(snapshot);
-        return writer.written();
+    }
+
+    /** The snapshot with these bytes; otherwise as the other method. */
+    public static Snapshot read(Rules rules, byte[] bytes) {
+        return read(rules, new ByteItems("snapshot", bytes, 0));
     }
 
     /**
      * Reads a snapshot.
      *
      * @param rules the rules, with the models to which the named states and transitions belong
-     * @param from where in {@code bytes} it begins; it ends where they end
-     * @throws SnapshotException if it is not such a snapshot, is of another version, or names something that the models
+     * @param items what follows; it ends where they end
+     * @throws CodecException if it is not such a snapshot, is of another version, or names something that the models
      *     do not have
      */
-    public static Snapshot read(Rules rules, byte[] bytes, int from) {
-        ByteItems items = new ByteItems(bytes, from);
-        long version = items.number();
-        if (version != VERSION) {
-            throw items.wrong("version " + version + " cannot be read, only version " + VERSION
-                    + "; use the version of Evoloop that wrote it, or start without it");
-        }
+    public static Snapshot read(Rules rules, ByteItems items) {
+        items.requireVersion(items.number(), VERSION);
         return new SnapshotReader(rules.table().models(), items).read();
     }
 }

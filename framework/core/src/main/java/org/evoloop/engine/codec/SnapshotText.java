@@ -34,7 +34,7 @@ public final class SnapshotText {
      * Parses a snapshot.
      *
      * @param rules the rules, with the models to which the named states and transitions belong
-     * @throws SnapshotException if it is not such a text, is of another version, or names something that the models do
+     * @throws CodecException if it is not such a text, is of another version, or names something that the models do
      *     not have
      */
     public static Snapshot read(Rules rules, String text) {
@@ -45,13 +45,14 @@ public final class SnapshotText {
 
     private static void requireVersion(Lines lines) {
         if (!lines.next().equals(TITLE)) {
-            throw lines.wrong("this is not a snapshot of Evoloop; its first line is '" + TITLE + " " + VERSION + "'");
+            throw lines.wrong("this is not a snapshot of Evoloop", "its first line is '" + TITLE + " " + VERSION + "'");
         }
         long version = lines.number();
         lines.ends();
         if (version != VERSION) {
-            throw lines.wrong("version " + version + " cannot be read, only version " + VERSION
-                    + "; use the version of Evoloop that wrote it, or start without it");
+            throw lines.wrong(
+                    "version " + version + " cannot be read, only version " + VERSION,
+                    "use the version of Evoloop that wrote it, or start without it");
         }
     }
 }

@@ -10,6 +10,9 @@ import java.util.Deque;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicReference;
+import org.evoloop.evolution.EventOutcome;
 import org.evoloop.evolution.Values;
 import org.evoloop.function.NewFunction;
 import org.evoloop.function.Reading;
@@ -65,6 +68,9 @@ public final class HostedVisit implements Visit {
             }
         }
     }
+
+    /** The event that it has asked for; null while there is none. */
+    private final AtomicReference<@Nullable Event> asking = new AtomicReference<>();
 
     private volatile Said said = Said.NOTHING;
 
@@ -176,6 +182,24 @@ public final class HostedVisit implements Visit {
         if (isActive()) {
             host.send(this, new Event(event), requireNonNull(carried, "the values are null"));
         }
+    }
+
+    @Override
+    public CompletableFuture<EventOutcome> ask(String event, Values carried) {
+        Event asked = new Event(event);
+        CompletableFuture<EventOutcome> outcome = new CompletableFuture<>();
+        if (!isActive()) {
+            outcome.complete(new EventOutcome.Stale("the state has been left"));
+        } else if (asking.compareAndSet(null, asked)) {
+            host.ask(this, asked, requireNonNull(carried, "the values are null"), ended -> {
+                asking.set(null);
+                outcome.complete(ended);
+            });
+        } else {
+            outcome.complete(new EventOutcome.Refused(
+                    "this visit has asked for an event that is not done yet; wait for its outcome"));
+        }
+        return outcome;
     }
 
     @Override

@@ -1,5 +1,7 @@
 package org.evoloop.function.visit;
 
+import java.util.function.Consumer;
+import org.evoloop.evolution.EventOutcome;
 import org.evoloop.evolution.Values;
 import org.evoloop.function.Visit;
 import org.evoloop.statemachine.Event;
@@ -57,6 +59,13 @@ public interface VisitHost {
      * @throws InterruptedException if the thread is interrupted while it waits
      */
     void send(Visit visit, Event event, Values values) throws InterruptedException;
+
+    /**
+     * Queues an event to be sent to the device, and has {@code then} called with its outcome; does not wait.
+     *
+     * @throws UnsupportedOperationException if nobody here learns of it
+     */
+    void ask(Visit visit, Event event, Values values, Consumer<EventOutcome> then);
 
     /**
      * Queues the last event of a visit even if the queue is full: it comes only once, possibly on the clock's thread,

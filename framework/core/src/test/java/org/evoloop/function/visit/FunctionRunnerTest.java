@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
+import org.evoloop.evolution.EventOutcome;
 import org.evoloop.evolution.Values;
 import org.evoloop.function.Visit;
 import org.evoloop.statemachine.Event;
@@ -38,6 +40,11 @@ class FunctionRunnerTest {
         @Override
         public boolean accepts(Visit visit, Event event) {
             return false;
+        }
+
+        @Override
+        public void ask(Visit asking, Event event, Values values, Consumer<EventOutcome> then) {
+            throw new UnsupportedOperationException("nobody is asked here");
         }
 
         @Override

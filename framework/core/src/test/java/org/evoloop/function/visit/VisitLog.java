@@ -7,6 +7,8 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import org.evoloop.evolution.EventOutcome;
 import org.evoloop.evolution.Values;
 import org.evoloop.function.Visit;
 import org.evoloop.statemachine.Event;
@@ -55,6 +57,11 @@ public final class VisitLog implements VisitHost {
     @Override
     public boolean accepts(Visit visit, Event event) {
         return accepted.contains(event.name());
+    }
+
+    @Override
+    public void ask(Visit visit, Event event, Values values, Consumer<EventOutcome> then) {
+        throw new UnsupportedOperationException("nobody is asked here");
     }
 
     @Override

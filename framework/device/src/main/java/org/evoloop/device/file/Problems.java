@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import org.evoloop.config.Masked;
 
 /**
  * The mistakes in a file, so that all of them can be reported at once, each with its line.
@@ -33,9 +34,9 @@ public final class Problems {
         at(place.line(), mistake);
     }
 
-    /** Adds a mistake in this line, from 1. */
+    /** Adds a mistake in this line, from 1; it shows no password that is in a URL. */
     public void at(int line, String mistake) {
-        found.add(new Problem(line, mistake));
+        found.add(new Problem(line, Masked.urls(mistake)));
     }
 
     /** Whether there is any. */

@@ -20,10 +20,12 @@ final class DeviceCheck {
      *
      * @param out for the results, a line for each scenario
      * @param models runs a command for models
+     * @throws org.evoloop.config.ConfigException if the file's options do not go together
      * @return the exit status: 0 nothing is wrong, 1 a rule is broken or a scenario fails
      */
     static int run(Path path, PrintStream out, ToIntFunction<List<String>> models) {
         DeviceFile file = DeviceFile.read(path, DeviceProgram.options());
+        DeviceProgram.options().read(List.of(), file.options(), System.getenv());
         if (!canBeBuilt(file, out)) {
             return 1;
         }

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.ToIntFunction;
+import org.evoloop.config.ConfigException;
 import org.evoloop.config.UsersMistakes;
 import org.evoloop.device.DeviceProgram;
 import org.evoloop.device.file.DeviceFileException;
@@ -59,7 +60,7 @@ public final class DeviceCommands {
             }
             System.err.print(USAGE);
             return 2;
-        } catch (DeviceFileException | ModelException refused) {
+        } catch (DeviceFileException | ModelException | ConfigException refused) {
             ErrorOutput.stream()
                     .println(Arrays.stream(String.valueOf(refused.getMessage()).split("\n", -1))
                             .reduce("", (all, line) -> all + (all.isEmpty() ? "error: " : "\nerror: ") + line));

@@ -18,7 +18,7 @@ public final class MigrationText {
         List<String> lines = new ArrayList<>();
         lines.add("from " + before.evolved() + " to " + after.evolved() + ", with the device " + device(before, after));
         lines.add("(device, system)");
-        migration.lines().forEach(line -> lines.add(line.at() + "  " + what(line.fate())));
+        migration.lines().forEach(line -> lines.add(line.at() + "  " + what(line.fate(), after)));
         lines.add(sum(migration));
         // A state of the new model may wait in many states of the device; the remedy is printed only once.
         migration.lines().stream()
@@ -36,12 +36,14 @@ public final class MigrationText {
         return was.equals(is) ? was : "from " + was + " to " + is;
     }
 
-    private static String what(Fate fate) {
+    private static String what(Fate fate, ModelPair after) {
         if (fate instanceof Fate.Maps maps) {
             String carried = maps.carried().stream().map(Carried::toString).collect(Collectors.joining(", "));
+            String system = after.describe(maps.to());
             return (maps.steps().isEmpty() ? "maps to " : "by sending " + way(maps.steps()) + " to ")
                     + maps.to()
-                    + (carried.isEmpty() ? "" : ": " + carried);
+                    + (carried.isEmpty() ? "" : ": " + carried)
+                    + (system.equals(maps.to().evolved().name()) ? "" : "; " + system);
         } else if (fate instanceof Fate.Waits waits) {
             return "waits until " + names(waits.exits(), " or ") + " leads out"
                     + (waits.uncertain().isEmpty() ? "" : "; may never come: " + names(waits.uncertain(), ", "));

@@ -5,18 +5,17 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
-import org.evoloop.console.JsonObject;
 import org.evoloop.converter.edge.EdgeShell;
 import org.evoloop.evolution.Occurrence;
-import org.evoloop.function.Reading;
 import org.evoloop.mqtt.BrokerAddress;
 import org.evoloop.mqtt.BrokerConnection;
 import org.evoloop.mqtt.Message;
+import org.evoloop.payload.JsonObject;
+import org.evoloop.payload.JsonRecord;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.State;
 import org.evoloop.time.Clock;
@@ -131,52 +130,18 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
 
     @Override
     public void observed(Occurrence occurrence) {
-        JsonObject record = new JsonObject().put("schema", 1).put("atMillis", wall.millis());
-        if (occurrence instanceof Occurrence.Found found) {
-            record.put("kind", "found").put("state", found.state().name());
-        } else {
-            record.put("kind", occurrence instanceof Occurrence.Asked ? "asked" : "heard")
-                    .put("event", occurrence.label())
-                    .put("source", occurrence.source().name().toLowerCase(Locale.ROOT));
-        }
-        if (occurrence instanceof Occurrence.Heard heard) {
-            record.put("deviceActed", heard.deviceActed()).putTexts("holding", heard.holding());
-        }
-        if (occurrence.visit() != Occurrence.ANY_VISIT) {
-            record.put("visit", occurrence.visit());
-        }
-        List<Reading> values = occurrence.values().byName().entrySet().stream()
-                .map(each -> new Reading(each.getKey(), written(each.getValue()), ""))
-                .toList();
-        if (!values.isEmpty()) {
-            record.put("values", JsonObject.of(values));
-        }
-        store(OCCURRENCE, record.toString());
-    }
-
-    /** JSON has no infinities and no NaN; they are written as strings, so that the event is not lost for one value. */
-    private static Object written(Object value) {
-        return value instanceof Double number && !Double.isFinite(number) ? number.toString() : value;
+        store(OCCURRENCE, EdgeRecords.occurrence(occurrence, wall.millis()));
     }
 
     @Override
     public void answered(long sequence, EdgeShell.Result result, String reason, Optional<State> state) {
-        JsonObject record = new JsonObject()
-                .put("schema", 1)
-                .put("sequence", sequence)
-                .put("outcome", result.name().toLowerCase(Locale.ROOT).replace('_', '-'))
-                .put("atMillis", wall.millis());
-        if (!reason.isEmpty()) {
-            record.put("reason", reason);
-        }
-        state.ifPresent(found -> record.put("state", found.name()));
-        store(EFFECT, record.toString());
+        store(EFFECT, EdgeRecords.effect(sequence, result, reason, state.orElse(null), wall.millis()));
     }
 
     /** Does not wait for the disk; the sender forces records to it before it publishes them. */
-    private void store(String topic, String record) {
+    private void store(String topic, JsonObject record) {
         try {
-            outbox.write(topic, id, record);
+            outbox.write(topic, id, record.toString());
         } catch (UncheckedIOException e) {
             LOG.error("a record of {} is lost: {}: {}", id, record, e.getMessage());
         }
@@ -240,15 +205,16 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
     }
 
     private void publish(Outbox.Entry entry, long first) {
-        gateway.publish(Message.event(
-                topic(entry.topic()),
-                "{\"number\":" + entry.number() + ",\"first\":" + first + ','
-                        + entry.record().substring(1)));
+        JsonObject record = JsonRecord.of(entry.record())
+                .copy()
+                .put("number", entry.number())
+                .put("first", first);
+        gateway.publish(Message.event(topic(entry.topic()), record.toString()));
     }
 
     private void confirmed(Message message) {
         try {
-            long number = new Received(message.payload()).number("number", 0);
+            long number = new Received(message.payload()).members().number("number", 0);
             long last = outbox.last();
             if (number > last) {
                 throw new IllegalArgumentException(
@@ -301,25 +267,25 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
         Received record = new Received(message.payload());
         if (message.topic().equals(topic("command"))) {
             obey(record, shell);
-        } else if (record.number("sequence", 0) >= carried.last(id)) {
+        } else if (record.members().number("sequence", 0) >= carried.last(id)) {
             // A state from before the last command is out of date.
             shell.stand(record.standing());
         }
     }
 
     private void obey(Received record, EdgeShell shell) throws InterruptedException {
-        long sequence = record.number("sequence", 0);
+        long sequence = record.members().number("sequence", 0);
         String problem = "";
         try {
             if (!carried.take(id, sequence)) {
                 return;
             }
-            if (record.number("deadlineMillis", 0) < wall.millis()) {
+            if (record.members().number("deadlineMillis", 0) < wall.millis()) {
                 problem = "the command arrived after its deadline";
             } else {
-                long visit = record.number("visit", 0);
+                long visit = record.members().number("visit", 0);
                 // A visit that has yet to begin follows others, which are over.
-                shell.leave(record.truth("function") ? visit - 1 : visit);
+                shell.leave(record.members().truth("function") ? visit - 1 : visit);
                 carryOut(record, sequence, shell);
             }
         } catch (IllegalArgumentException | ModelException | UncheckedIOException e) {
@@ -331,13 +297,17 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
     }
 
     private static void carryOut(Received record, long sequence, EdgeShell shell) throws InterruptedException {
-        switch (record.text("kind")) {
-            case "send" -> shell.send(sequence, record.step(), record.values());
-            case "run" -> shell.run(sequence, record.text("effect"), record.values());
+        switch (record.members().text("kind")) {
+            case "send" -> shell.send(sequence, record.step(), record.members().values("values"));
+            case "run" ->
+                shell.run(
+                        sequence,
+                        record.members().text("effect"),
+                        record.members().values("values"));
             case "locate" -> shell.locate(sequence);
             default ->
-                throw new IllegalArgumentException(
-                        "the kind of the command is '" + record.text("kind") + "'; known are send, run and locate");
+                throw new IllegalArgumentException("the kind of the command is '"
+                        + record.members().text("kind") + "'; known are send, run and locate");
         }
     }
 

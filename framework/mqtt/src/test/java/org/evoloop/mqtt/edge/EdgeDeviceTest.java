@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -39,9 +40,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
 
 /** A lamp on a real MQTT broker; the test is its gateway. */
 class EdgeDeviceTest {
+    private static final JsonMapper JSON = new JsonMapper();
+
     private static final Instant NOW = Instant.parse("2026-11-23T12:00:00Z");
     private static final Duration LIMIT = Duration.ofSeconds(60);
 
@@ -126,7 +131,7 @@ class EdgeDeviceTest {
     }
 
     private void hear(Message message) {
-        Map<String, Object> record = Json.object(message.payload());
+        Map<String, Object> record = members(message.payload());
         // It differs when a record is repeated.
         firsts.add(record.remove("first"));
         records.add(record);
@@ -294,32 +299,16 @@ class EdgeDeviceTest {
             edge.observed(new Occurrence.Heard(new Event("switch"), values, Source.PANEL, 0, 1));
         }
         try (Outbox outbox = new Outbox(directory.resolve("edge"), 0)) {
-            Map<String, Object> record = Json.object(outbox.first(1, 1).get(0).record());
+            Map<String, Object> record = members(outbox.first(1, 1).get(0).record());
             assertThat(record).containsEntry("values", Map.of("a", "NaN", "b", "-Infinity", "c", 0.5));
         }
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"NaN", "Infinity", "-Infinity", "0x1p3", "1d", "1f", "+1", ".5", "1.", "01", "1e"})
-    void onlyNumbersOfJsonAreNumbers(String word) {
-        assertThatThrownBy(() -> Json.object("{\"values\":{\"level\":" + word + "}}"))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage(
-                        "this is not valid JSON: '" + word + "' is not a value at character " + (19 + word.length()));
-    }
-
-    @Test
-    void aNumberIsFinite() {
-        assertThatThrownBy(() -> Json.object("{\"values\":{\"level\":-1e999}}"))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage(
-                        "the number -1e999 before character 25 is too large; send one of at most 1.7E308, or a string");
-    }
-
-    @ParameterizedTest
     @ValueSource(strings = {"1.5", "1e300", "-1e19", "\"7\"", "null", "true"})
     void aNumberOfARecordIsWhole(String number) {
-        assertThatThrownBy(() -> new Received("{\"number\":" + number + "}").number("number", 0))
+        assertThatThrownBy(() ->
+                        new Received("{\"number\":" + number + "}").members().number("number", 0))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("'number' must be a whole number");
     }
@@ -387,34 +376,25 @@ class EdgeDeviceTest {
     }
 
     @Test
-    void jsonIsReadOrRefused() {
-        assertThat(Json.object(" {\"a\":[1,-2.5e1,{}],\"b\":null,\"c\\u0041\\n\":\"\\\"\\\\/\",\"d\":true} "))
-                .containsEntry("a", List.of(1.0, -25.0, Map.of()))
-                .containsEntry("b", null)
-                .containsEntry("cA\n", "\"\\/")
-                .containsEntry("d", true);
-        for (String wrong : List.of(
-                "",
-                "[]",
-                "{",
-                "{\"a\"}",
-                "{\"a\":}",
-                "{\"a\":tru}",
-                "{\"a\":1}x",
-                "{\"a\":\"",
-                "{\"a\":\"\\q\"}",
-                "{\"a\":" + "[".repeat(30),
-                "{\"a\":\"\\u00",
-                "{\"a\":[1 2]}",
-                "{\"a\":\"\\uzzzz\"}",
-                "{\"a\":\"\\u+041\"}")) {
-            assertThatThrownBy(() -> Json.object(wrong))
-                    .as(wrong)
-                    .isInstanceOf(IllegalArgumentException.class)
-                    .hasMessageStartingWith("this is not valid JSON: ");
-        }
-        assertThatThrownBy(() -> Json.object("{\"a\":\"b"))
-                .hasMessage("this is not valid JSON: a string has no closing quotation mark at character 7");
+    void aRecordOfANewerSchemaIsRefused() {
         assertThatThrownBy(() -> new Received("{\"schema\":2}")).hasMessageContaining("update this program");
+    }
+
+    /** All numbers as doubles. */
+    private static Map<String, Object> members(String record) {
+        Map<String, Object> members = new LinkedHashMap<>();
+        JSON.readTree(record).properties().forEach(each -> members.put(each.getKey(), plain(each.getValue())));
+        return members;
+    }
+
+    private static Object plain(JsonNode value) {
+        if (value.isObject()) {
+            return members(value.toString());
+        } else if (value.isArray()) {
+            return value.valueStream().map(EdgeDeviceTest::plain).toList();
+        } else if (value.isNumber()) {
+            return value.doubleValue();
+        }
+        return value.isBoolean() ? (Object) value.booleanValue() : value.stringValue();
     }
 }

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import org.evoloop.evolution.ModelPair;
 import org.evoloop.page.drawing.Graph.Arrow;
 import org.evoloop.page.drawing.Graph.Box;
 import org.evoloop.statemachine.Event;
@@ -85,7 +86,7 @@ public final class MachineDrawing {
     /** What a state has to do with the device, which a browser shows when it is pointed at; empty for most. */
     private static String device(State state, StateMachine machine) {
         String device = machine.deviceState(state);
-        String where = device == null ? "" : state + ", the device in " + device;
+        String where = device == null ? "" : ModelPair.describe(state, device);
         String sent = machine.sends(state).stream().map(Event::name).collect(Collectors.joining(", "));
         String text =
                 where + (where.isEmpty() || sent.isEmpty() ? "" : "; ") + (sent.isEmpty() ? "" : "may send " + sent);

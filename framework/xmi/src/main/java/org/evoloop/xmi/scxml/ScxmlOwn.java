@@ -65,6 +65,13 @@ final class ScxmlOwn {
         return "";
     }
 
+    /** What to write for an attribute that is not SCXML's. */
+    static String remedy(String element, String attribute) {
+        return KNOWN.getOrDefault(element, List.of()).contains(attribute)
+                ? "write ev:" + attribute + ", and xmlns:ev=\"urn:evoloop\" in scxml"
+                : "remove it";
+    }
+
     /** Reports the own attributes of an element that mean nothing there. */
     static void check(XmlNode node, Problems problems) {
         if (node.attributeCount() > 0) {

@@ -120,7 +120,10 @@ final class ScxmlVocabulary {
         Set<String> known = KNOWN.getOrDefault(name, Set.of());
         for (String attribute : attributes) {
             if (!isKnown(attribute, known)) {
-                problems.add(line, "attribute " + attribute + " of " + label.get() + " is not supported; remove it");
+                problems.add(
+                        line,
+                        "attribute " + attribute + " of " + label.get() + " is not supported; "
+                                + ScxmlOwn.remedy(name, attribute));
             }
         }
         for (XmlNode child : children) {

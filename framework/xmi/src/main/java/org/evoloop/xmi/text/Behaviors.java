@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.evoloop.statechart.Arc;
+import org.evoloop.statechart.DeviceUse;
 import org.evoloop.statechart.Place;
 import org.evoloop.xmi.dialect.Problems;
 
@@ -14,8 +15,12 @@ final class Behaviors {
     /** One or several keywords in guillemets, and nothing else. */
     private static final Pattern KEYWORDS = Pattern.compile("(?:(?:«[^«»]*+»|<<[^<>]*+>>)\\s*+)++");
 
+    private static final Pattern KEYWORD = Pattern.compile("\\s*+(?:«|<<)");
+
     private static final Pattern DEFER = Pattern.compile("(?i)defer\\s*+[/:](.*)", Pattern.DOTALL);
     private static final Pattern IS_DEFERRED = Pattern.compile("(?i)([^/]*)/\\s*+defer", Pattern.DOTALL);
+
+    private static final String BEHAVIORS = "entry / EFFECT, exit / EFFECT or EVENT / EFFECT";
 
     private final Syntax syntax;
     private final Problems problems;
@@ -48,12 +53,15 @@ final class Behaviors {
         } else if (text.indexOf('/') >= 0) {
             noteSlash(text, line, column);
             internal(state, Label.parse(text, column, syntax), line, column);
+        } else if (KEYWORD.matcher(text).lookingAt()) {
+            throw new Refusal(
+                    column, "a keyword ends with » or >> and has nothing beside it; write it in its own line");
         } else if (!text.isBlank()) {
             problems.note(
                     line,
                     "column " + column + ": " + Problems.quote(text.strip()) + " describes state '" + state.id()
-                            + "' and does nothing; write entry / EFFECT, exit / EFFECT or EVENT / EFFECT for what"
-                            + " it does");
+                            + "' and does nothing; write "
+                            + DeviceUse.parse(text).map(DeviceUse::keywords).orElse(BEHAVIORS + " for what it does"));
         }
     }
 

@@ -131,11 +131,12 @@ class TextReadingTest {
 
     @Test
     void descriptionsAndLabelsOfTheStartAreNoted() {
-        XmiMachine machine = file("F.mmd", "stateDiagram-v2\n[*] --> A : power on\nA : idle\n")
+        XmiMachine machine = file("F.mmd", "stateDiagram-v2\n[*] --> A : power on\nA : idle\nA : device On\n")
                 .findOnly();
 
         assertThat(machine.notes())
-                .hasSize(2)
+                .hasSize(3)
+                .anyMatch(note -> note.endsWith("'device On' describes state 'A' and does nothing; write «device On»"))
                 .anyMatch(note -> note.startsWith("F.mmd: line 2: 'power on' at the start"))
                 .anyMatch(note -> note.startsWith("F.mmd: line 3: column 5: 'idle' describes state 'A'"));
     }

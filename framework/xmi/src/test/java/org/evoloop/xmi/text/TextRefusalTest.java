@@ -44,6 +44,8 @@ class TextRefusalTest {
                 "A --> B : go [x | column 14: '[' belongs to no guard",
                 "A --> B : go x] / f | column 15: ']' has no '[' before it",
                 "A --> B : [x] go / f | column 11: '[' belongs to no guard",
+                "A : «device On | column 5: a keyword ends with » or >>",
+                "A : <<device On>> for air | column 5: a keyword ends with » or >> and has nothing beside it",
                 "A : / f | column 5: an internal transition needs an event",
                 "-- | column 1: Mermaid has regions in states only",
                 "state A { A --> B } | 'A' is named inside itself",

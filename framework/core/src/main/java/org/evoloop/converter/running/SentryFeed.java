@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Threading: guarded by the lock of the {@link CoreDriver}; violations are handed over on the clock's thread,
  * without it.
  */
-final class Watchman {
+final class SentryFeed {
     private final Clock clock;
     private final Sentry.@Nullable Posting posting;
     private @Nullable Sentry sentry;
@@ -30,7 +30,7 @@ final class Watchman {
     private long setNanos;
 
     /** @param posting null if nothing is watched */
-    Watchman(Clock clock, Sentry.@Nullable Posting posting) {
+    SentryFeed(Clock clock, Sentry.@Nullable Posting posting) {
         this.clock = clock;
         this.posting = posting;
     }

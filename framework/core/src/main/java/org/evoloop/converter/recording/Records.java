@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Threading: as for each of them.
  */
-public record Books(
+public record Records(
         Transcript transcript,
         FailureLog failures,
         History history,
@@ -21,7 +21,7 @@ public record Books(
         FlightLog flight,
         Listeners listeners) {
 
-    public Books(LoopConfig config, FailureLog failures, Listeners listeners) {
+    public Records(LoopConfig config, FailureLog failures, Listeners listeners) {
         this(
                 new Transcript(),
                 failures,

@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Threading: thread-safe; it never rolls back on the listeners' thread, which must not wait.
  */
-final class Trial implements ConverterListener {
+final class ProbationWatch implements ConverterListener {
     private final LoopConfig config;
     private final ConverterShell shell;
     private final Probation probation;
@@ -47,7 +47,12 @@ final class Trial implements ConverterListener {
      * @param announce is told why they are rolled back, before the first attempt
      * @param rollBack rolls them back
      */
-    Trial(LoopConfig config, ConverterShell shell, Probation probation, Consumer<String> announce, Runnable rollBack) {
+    ProbationWatch(
+            LoopConfig config,
+            ConverterShell shell,
+            Probation probation,
+            Consumer<String> announce,
+            Runnable rollBack) {
         this.config = config;
         this.shell = shell;
         this.probation = probation;
@@ -62,7 +67,7 @@ final class Trial implements ConverterListener {
 
     /** Begins to watch. */
     synchronized void begin() {
-        shell.books().listeners().add(this);
+        shell.records().listeners().add(this);
         if (!probation.time().isZero()) {
             end = config.clock().schedule(probation.time(), this::end);
         }
@@ -72,7 +77,7 @@ final class Trial implements ConverterListener {
     synchronized void end() {
         if (!over) {
             over = true;
-            shell.books().listeners().remove(this);
+            shell.records().listeners().remove(this);
             if (end != null) {
                 end.cancel();
             }
@@ -181,7 +186,7 @@ final class Trial implements ConverterListener {
             rollBack.run();
             return true;
         } catch (EvolutionException | IllegalStateException impossible) {
-            shell.books().failures().warn(why + "; " + impossible.getMessage());
+            shell.records().failures().warn(why + "; " + impossible.getMessage());
             return impossible instanceof IllegalStateException;
         }
     }

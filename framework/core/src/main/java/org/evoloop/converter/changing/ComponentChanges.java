@@ -11,12 +11,12 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Threading: guarded by its converter.
  */
-final class Crewing {
-    private final Belongings belongings;
+final class ComponentChanges {
+    private final Ownership ownership;
     private Assembly present = new Assembly();
 
-    Crewing(Belongings belongings) {
-        this.belongings = belongings;
+    ComponentChanges(Ownership ownership) {
+        this.ownership = ownership;
     }
 
     Assembly present() {
@@ -40,7 +40,7 @@ final class Crewing {
                 ? changed.decisions(built.knowledge())
                 : built.driver().rules().table();
         built.loop().remove(name, () -> built.use(table, changed.executes()));
-        belongings.giveBack(present.require(name));
+        ownership.giveBack(present.require(name));
         present = changed;
     }
 
@@ -52,17 +52,17 @@ final class Crewing {
             built.attach(next);
             built.loop().exchange(name, next, () -> built.use(table, changed.executes()));
         });
-        belongings.giveBack(present.require(name));
+        ownership.giveBack(present.require(name));
         present = changed;
     }
 
     /** Takes ownership of {@code component} for {@code change}; gives it back if that is refused. */
     private void taking(Component component, Runnable change) {
-        belongings.take(component, component.name());
+        ownership.take(component, component.name());
         try {
             change.run();
         } catch (RuntimeException refused) {
-            belongings.giveBack(component);
+            ownership.giveBack(component);
             throw refused;
         }
     }

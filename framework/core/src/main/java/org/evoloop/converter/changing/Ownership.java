@@ -15,14 +15,14 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Threading: thread-safe.
  */
-final class Belongings {
+final class Ownership {
     /** The names of the converters. */
     private static final Map<Object, String> OWNERS = new WeakHashMap<>();
 
     private final String converter;
     private final Set<Object> own = Collections.newSetFromMap(new IdentityHashMap<>());
 
-    Belongings(String converter) {
+    Ownership(String converter) {
         this.converter = converter;
     }
 

@@ -2,7 +2,8 @@ package org.evoloop.converter.running;
 
 import org.evoloop.converter.UnknownEffectException;
 import org.evoloop.converter.attachment.ExecuteAccess;
-import org.evoloop.converter.recording.Books;
+import org.evoloop.converter.attachment.UserCode;
+import org.evoloop.converter.recording.Records;
 import org.evoloop.engine.Input;
 import org.evoloop.engine.Inputs;
 import org.evoloop.engine.Output;
@@ -21,7 +22,7 @@ import org.jspecify.annotations.Nullable;
  * Carries out the core's directives: on the threads of the execute components, one at a time; those that belong to no
  * occurrence on the thread that opens, closes or gives up.
  */
-final class Carrier implements ExecuteAccess.Host {
+final class PlanExecutor implements ExecuteAccess.Host {
     private final CoreDriver driver;
     private final Inputs inputs;
     private final CoreOutputs outputs;
@@ -29,7 +30,7 @@ final class Carrier implements ExecuteAccess.Host {
     private final Senders senders;
     private final Visits visits;
     private final CurrentKnowledge knowledge;
-    private final Books books;
+    private final Records records;
     private final Reports reports;
     private Runnable look = () -> {};
     private volatile String runningEffect = "";
@@ -39,12 +40,12 @@ final class Carrier implements ExecuteAccess.Host {
         void failed(ExecuteAccess execute, String phase, Throwable cause);
     }
 
-    Carrier(
+    PlanExecutor(
             CoreDriver driver,
             Senders senders,
             Visits visits,
             CurrentKnowledge knowledge,
-            Books books,
+            Records records,
             Reports reports) {
         this.driver = driver;
         this.inputs = driver.inputs;
@@ -54,7 +55,7 @@ final class Carrier implements ExecuteAccess.Host {
         this.reports = reports;
         this.visits = visits;
         this.knowledge = knowledge;
-        this.books = books;
+        this.records = records;
     }
 
     /** Sets how the loop finds that there is something to do; before the first event. */
@@ -82,7 +83,7 @@ final class Carrier implements ExecuteAccess.Host {
                     return;
                 }
             } else if (next instanceof Output.Settle settle) {
-                books.transcript().say();
+                records.transcript().say();
                 ExecuteAccess first = agenda.settles(execute);
                 notSettled = settle(execute, settle);
                 if (senders.settlesAfter(execute, first) != null) {
@@ -96,7 +97,7 @@ final class Carrier implements ExecuteAccess.Host {
                 visit(next, occurrence);
             }
         }
-        books.transcript().say();
+        records.transcript().say();
         if (notSettled instanceof Error error) {
             throw error;
         } else if (notSettled instanceof Exception exception) {
@@ -135,7 +136,7 @@ final class Carrier implements ExecuteAccess.Host {
         try {
             sendWhenReady(number, step, values, execute);
         } finally {
-            WorkEvent.ended(work, books.flight().converter(), WorkEvent.Kind.SEND, step);
+            WorkEvent.ended(work, records.flight().converter(), WorkEvent.Kind.SEND, step);
         }
     }
 
@@ -225,16 +226,15 @@ final class Carrier implements ExecuteAccess.Host {
         runningEffect = effect;
         WorkEvent work = WorkEvent.begun();
         try {
-            knowledge.bindings().run(effect, occurrence.values());
-            return "";
-        } catch (InterruptedException stop) {
-            throw stop;
-        } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {
+            Throwable cause = UserCode.call(() -> knowledge.bindings().run(effect, occurrence.values()));
+            if (cause == null) {
+                return "";
+            }
             Failure<Occurrence> failure = new Failure<>(execute.name(), "effect " + effect, 0, occurrence, cause);
-            books.failures().fault("effect " + effect, failure);
+            records.failures().fault("effect " + effect, failure);
             return failure.toString();
         } finally {
-            WorkEvent.ended(work, books.flight().converter(), WorkEvent.Kind.EFFECT, effect);
+            WorkEvent.ended(work, records.flight().converter(), WorkEvent.Kind.EFFECT, effect);
             runningEffect = "";
         }
     }
@@ -257,10 +257,9 @@ final class Carrier implements ExecuteAccess.Host {
     /** Returns what {@code execute} threw; null if it has settled. */
     private static @Nullable Throwable settle(ExecuteAccess execute, Output.Settle settle) {
         try {
-            execute.settled(settle.now());
-            return null;
-        } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {
-            return cause;
+            return UserCode.call(() -> execute.settled(settle.now()));
+        } catch (InterruptedException stop) {
+            return stop;
         }
     }
 
@@ -323,7 +322,7 @@ final class Carrier implements ExecuteAccess.Host {
         for (Output.Directive next = agenda.poll(); next != null; next = agenda.poll()) {
             visit(next, after);
         }
-        books.transcript().say();
+        records.transcript().say();
     }
 
     /** The values of the event with which a state is entered; null if it is entered again. */

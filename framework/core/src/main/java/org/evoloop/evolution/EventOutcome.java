@@ -1,18 +1,18 @@
-package org.evoloop.converter;
+package org.evoloop.evolution;
 
 import java.util.List;
 import java.util.stream.Collectors;
-import org.evoloop.evolution.Configuration;
 import org.evoloop.statemachine.Event;
 
 /**
- * What became of an event that was {@linkplain PushMonitor#submit submitted}. For people by {@code toString}.
+ * What became of an event, for whoever asked: a controller that submitted it, or a function that had it sent. For people
+ * by {@code toString}.
  *
  * <p>Threading: immutable.
  *
  * @since 0.1
  */
-public sealed interface PressOutcome {
+public sealed interface EventOutcome {
     /** Whether it had its effect. */
     default boolean isHandled() {
         return this instanceof Handled;
@@ -25,7 +25,7 @@ public sealed interface PressOutcome {
      * @param to the states after it
      * @param sent what was sent to the device, in order
      */
-    record Handled(Configuration from, Configuration to, List<Event> sent) implements PressOutcome {
+    record Handled(Configuration from, Configuration to, List<Event> sent) implements EventOutcome {
         /** Nothing may be null. */
         public Handled {
             sent = List.copyOf(sent);
@@ -43,7 +43,7 @@ public sealed interface PressOutcome {
      *
      * @param why with the guards that did not hold
      */
-    record NotAcceptable(String why) implements PressOutcome {
+    record NotAcceptable(String why) implements EventOutcome {
         @Override
         public String toString() {
             return why;
@@ -51,7 +51,7 @@ public sealed interface PressOutcome {
     }
 
     /** A rule of the converter does not allow it, or the converter is stopped, or cannot write its journal. */
-    record Refused(String why) implements PressOutcome {
+    record Refused(String why) implements EventOutcome {
         @Override
         public String toString() {
             return "refused: " + why;
@@ -64,7 +64,7 @@ public sealed interface PressOutcome {
      * @param from the states of device and evolved system before it
      * @param to the states after it
      */
-    record Failed(Configuration from, Configuration to, String why) implements PressOutcome {
+    record Failed(Configuration from, Configuration to, String why) implements EventOutcome {
         @Override
         public String toString() {
             return "failed: " + why;
@@ -72,7 +72,7 @@ public sealed interface PressOutcome {
     }
 
     /** Its plan was overtaken, by an urgent event or by what the device did itself. */
-    record Overtaken(Configuration from, Configuration to, String why) implements PressOutcome {
+    record Overtaken(Configuration from, Configuration to, String why) implements EventOutcome {
         @Override
         public String toString() {
             return why;
@@ -80,15 +80,15 @@ public sealed interface PressOutcome {
     }
 
     /** The queue was full. */
-    record Dropped(String why) implements PressOutcome {
+    record Dropped(String why) implements EventOutcome {
         @Override
         public String toString() {
             return "dropped: " + why;
         }
     }
 
-    /** Its turn came too long after it was pressed. */
-    record Stale(String why) implements PressOutcome {
+    /** Its turn came too long after it was pressed, or after the state that asked for it had been left. */
+    record Stale(String why) implements EventOutcome {
         @Override
         public String toString() {
             return "stale: " + why;
