@@ -109,8 +109,9 @@ final class AnswerTree {
         Node node = root;
         String shows = "";
         for (String input : word) {
-            if (input.equals(Run.LOOK) || rules.forbids(input, shows).isPresent()) {
-                found.add(new Answer(Reply.FORBIDDEN, shows));
+            boolean looks = input.equals(Run.LOOK);
+            if (looks || rules.forbids(input, shows).isPresent()) {
+                found.add(new Answer(looks ? Reply.WAITED : Reply.FORBIDDEN, shows));
                 continue;
             }
             List<Entry<Answer, Branch>> ranked = node.ranked(input);

@@ -154,7 +154,8 @@ final class ModelOfAnswers {
             return Optional.empty();
         }
         String event = answer.acts().isEmpty() ? "becomes" + name(target) : String.join("-then-", answer.acts());
-        return Optional.of(transition(edge, event, target));
+        // An event that can be pressed is another one.
+        return Optional.of(transition(edge, inputs.contains(event) ? event + "-by-itself" : event, target));
     }
 
     private int target(Edge edge) {

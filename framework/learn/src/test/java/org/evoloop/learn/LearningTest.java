@@ -93,6 +93,17 @@ class LearningTest {
         assertThat(delay.most()).isBetween(Duration.ofSeconds(45), Duration.ofSeconds(46));
     }
 
+    @Test
+    void whatTheDeviceDoesByItselfIsNoInput() throws InterruptedException {
+        SimulatedMachine robot = robot();
+        robot.act = "power";
+
+        LearnedModel model = learning(robot).learn();
+
+        assertThat(transition(model, "spot", "power-by-itself").target().name()).isEqualTo("on");
+        assertThat(model.machine().spontaneous()).hasSize(1);
+    }
+
     private static Transition transition(LearnedModel model, String source, String event) {
         return model.machine().transitions().stream()
                 .filter(each -> each.source().name().equals(source)

@@ -38,6 +38,9 @@ final class SimulatedMachine implements LearnableDevice {
     private final SteppedClock clock;
     private final Random noise;
     double lost;
+    /** What it is said to do when a timer ends. */
+    String act = "turns";
+
     private int state;
     private long enteredNanos;
 
@@ -123,7 +126,7 @@ final class SimulatedMachine implements LearnableDevice {
         long first = clock.nanoTime();
         enter(timer.target());
         clock.advance(PRESS);
-        return heard(Reply.WAITED, List.of("turns"), first);
+        return heard(Reply.WAITED, List.of(act), first);
     }
 
     /** What tells this machine from a learned one: inputs after which they differ; empty if they are the same. */
