@@ -149,8 +149,10 @@ final class AnswerTree {
         return needed;
     }
 
-    /** The first place on the way of a word at which several answers came, with their counts. */
+    /** The place on the way of a word whose answers are least agreed on, with their counts; empty if all agree. */
     Optional<String> dispute(List<String> word) {
+        Optional<String> worst = Optional.empty();
+        double mostShare = 0;
         Node node = root;
         String shows = "";
         for (int i = 0; i < word.size(); i++) {
@@ -159,20 +161,24 @@ final class AnswerTree {
                 continue;
             }
             List<Entry<Answer, Branch>> ranked = node.ranked(input);
-            if (ranked.size() > 1) {
-                return Optional.of("after " + String.join(", ", word.subList(0, i + 1)) + ": '"
-                        + ranked.get(0).getKey() + "' (" + ranked.get(0).getValue().count + " times) and '"
-                        + ranked.get(1).getKey() + "' (" + ranked.get(1).getValue().count + " times)");
-            }
             if (ranked.isEmpty()) {
                 break;
             }
-            Answer answer = ranked.get(0).getKey();
-            if (!answer.isQuiet(shows)) {
-                node = ranked.get(0).getValue().next;
+            Entry<Answer, Branch> first = ranked.get(0);
+            Entry<Answer, Branch> second = ranked.get(Math.min(1, ranked.size() - 1));
+            double share = (double) second.getValue().count / first.getValue().count;
+            if (ranked.size() > 1 && share > mostShare) {
+                mostShare = share;
+                worst = Optional.of(
+                        "after " + String.join(", ", word.subList(0, i + 1)) + ": '" + first.getKey() + "' ("
+                                + first.getValue().count + " times) and '" + second.getKey() + "' ("
+                                + second.getValue().count + " times)");
             }
-            shows = answer.shows();
+            if (!first.getKey().isQuiet(shows)) {
+                node = first.getValue().next;
+            }
+            shows = first.getKey().shows();
         }
-        return Optional.empty();
+        return worst;
     }
 }

@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
 /** Answers words from the tree, and asks the device for what is not in it. */
 final class Asking implements SingleQueryOracleMealy<String, Answer>, AnswerLog.Content {
     /** How often a word is tried before its answers are called random. */
-    private static final int MOST_TRIES = 25;
+    private static final int MOST_TRIES = 100;
     /** From this number of runs on, noise is judged. */
     private static final int ENOUGH_RUNS = 20;
     /** The share of runs that contradict others with which voting still works. */

@@ -249,6 +249,42 @@ class LearningTest {
     }
 
     @Test
+    void anUnstableEdgeIsNamedWithBothAnswers() throws InterruptedException {
+        // Only the third press of a shows something else, every second time.
+        int[] pressed = {0};
+        int[] third = {0};
+        LearnableDevice device = new LearnableDevice() {
+            private Heard heard(Reply reply, String shows) {
+                clock.advance(SimulatedMachine.PRESS);
+                return new Heard(new Answer(reply, shows), clock.nanoTime());
+            }
+
+            @Override
+            public Heard reset() throws InterruptedException {
+                pressed[0] = 0;
+                return heard(Reply.ACCEPTED, "on");
+            }
+
+            @Override
+            public Heard press(String input) throws InterruptedException {
+                boolean odd = input.equals("a") && ++pressed[0] == 3 && third[0]++ % 2 == 0;
+                return heard(Reply.ACCEPTED, odd ? "off" : "on");
+            }
+
+            @Override
+            public Heard await(Duration longest) throws InterruptedException {
+                return heard(Reply.WAITED, "on");
+            }
+        };
+
+        LearnedModel model =
+                Learning.of("unstable", device, clock, List.of("a", "b")).learn();
+
+        assertThat(model.passed()).isFalse();
+        assertThat(model.open().get(0)).contains("a: 'accepted, shows o").contains("times) and 'accepted, shows o");
+    }
+
+    @Test
     void aDeviceThatHangsEndsWithTheBestMachineOrAMessage() throws InterruptedException {
         assertThatThrownBy(() -> hanging(5).learn())
                 .isInstanceOf(LearnException.class)
