@@ -91,7 +91,7 @@ class DeviceCommandsTest {
         Path file = heater.resolve("heater.yaml");
         Path properties = Files.writeString(heater.resolve("wanted.txt"), "always On or Off\n");
         Files.writeString(
-                file, Files.readString(file).replaceFirst("(?m)^( +)new: .*$", "$0\n$1properties: wanted.txt"));
+                file, Files.readString(file).replace("README.md#new}", "README.md#new, properties: wanted.txt}"));
         run("check", file.toString());
         assertThat(models.get(models.size() - 1)).containsSequence("--properties", properties.toString());
     }
