@@ -226,6 +226,7 @@ KNOWN = [
         shows="something else: the device goes to Spot",
     ),
     typed("./evoloop new heater", shows="wrote heater/heater.yaml"),
+    Known("./evoloop learn FILE.yaml --output fan.mmd", run="./evoloop learn --help", shows="--longest"),
     typed("./evoloop check heater/heater.yaml", shows="passed: after ten minutes it is switched off"),
     typed("./evoloop run heater/heater.yaml --simulate", input="start\npress timed\nexit\n"),
     Known("./evoloop run", run="./evoloop run --help", shows="--simulate"),

@@ -52,6 +52,7 @@ public final class DeviceFile {
     private final FileKnowledge.Content knowledge;
     private final List<Scenario> scenarios;
     private final List<OptionLine> options;
+    private final LearnSection learning;
 
     private DeviceFile(Path path, Reader reader, FileModels models, ModelReader read, Connections connections) {
         this.path = path;
@@ -65,6 +66,7 @@ public final class DeviceFile {
         this.knowledge = reader.content;
         this.scenarios = List.copyOf(reader.scenarios);
         this.options = List.copyOf(reader.options);
+        this.learning = reader.learning;
     }
 
     /**
@@ -137,6 +139,25 @@ public final class DeviceFile {
         return own;
     }
 
+    /** What the file says about learning the device. */
+    public LearnSection learning() {
+        return learning;
+    }
+
+    /** The events that are sent to the device. */
+    public Set<String> sent() {
+        return Set.copyOf(models.allSent());
+    }
+
+    /**
+     * Models in which nothing is assumed of the device: the states that it reports, or one, each with a loop for every event.
+     *
+     * @param more further events
+     */
+    public ModelPair free(String... more) {
+        return models.free(more);
+    }
+
     /** The program's options that the file has. */
     public List<OptionLine> options() {
         return options;
@@ -182,6 +203,7 @@ public final class DeviceFile {
         private final Set<String> doNotPass = new LinkedHashSet<>();
         private final List<Scenario> scenarios = new ArrayList<>();
         private final List<OptionLine> options = new ArrayList<>();
+        private LearnSection learning = LearnSection.NONE;
         private final String name;
         private final Guards guards;
         private final FileKnowledge.Content content;
@@ -207,6 +229,7 @@ public final class DeviceFile {
                 functions.put(state.value(), functionReader.function(state, section));
             });
             file.section("effects").ifPresent(all -> all.keys().forEach(text -> effect(all, text)));
+            file.section("learn").ifPresent(learn -> learning = LearnSection.read(learn, models));
             file.section("scenarios").ifPresent(all -> scenarios.addAll(Scenario.read(all, models)));
             programOptions.names().forEach(this::option);
             programOptions.check(options, file.problems()::at);

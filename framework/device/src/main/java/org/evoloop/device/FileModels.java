@@ -13,6 +13,8 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.StateMachineBuilder;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -24,10 +26,13 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public final class FileModels {
+    private static final String ONLY_STATE = "Any";
+
     private final @Nullable ModelPair pair;
     private final Problems problems;
     private final Set<String> sent = new LinkedHashSet<>();
     private final Set<String> devicesOwn = new LinkedHashSet<>();
+    private final Set<String> reported = new LinkedHashSet<>();
     private final Set<String> pressed = new LinkedHashSet<>();
     private final Set<String> withFunction = new LinkedHashSet<>();
     private final List<Node.Text> sentByFunctions = new ArrayList<>();
@@ -76,9 +81,8 @@ public final class FileModels {
 
     /** A state of the device. */
     public String deviceState(Node.Text state) {
-        if (pair == null) {
-            problems.at(state, "without models there are no states; give models, or make this a reading");
-        } else if (pair.original().alike(new State(state.value())).isEmpty()) {
+        reported.add(state.value());
+        if (pair != null && pair.original().alike(new State(state.value())).isEmpty()) {
             require(
                     state,
                     "a state of the original model",
@@ -237,6 +241,26 @@ public final class FileModels {
     /** The events that are sent. */
     Set<String> allSent() {
         return sent;
+    }
+
+    /**
+     * Models in which nothing is assumed of the device: the states that it reports, or one, each with a loop for every event.
+     *
+     * @param more further events
+     */
+    ModelPair free(String... more) {
+        Set<String> states = reported.isEmpty() ? Set.of(ONLY_STATE) : reported;
+        Set<String> events = new LinkedHashSet<>(sent);
+        events.addAll(devicesOwn);
+        events.addAll(List.of(more));
+        StateMachineBuilder machine =
+                StateMachine.named("original").initial(states.iterator().next());
+        for (String state : states) {
+            events.forEach(event -> machine.transition(state, event, state));
+        }
+        devicesOwn.forEach(machine::spontaneous);
+        StateMachine any = machine.build();
+        return new ModelPair(any, any.withName("new"));
     }
 
     /** The events that the device raises by itself, as the file says. */

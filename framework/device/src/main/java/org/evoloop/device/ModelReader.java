@@ -2,10 +2,8 @@ package org.evoloop.device;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Problems;
 import org.evoloop.device.file.Section;
@@ -13,7 +11,6 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.program.ProgramModels;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.StateMachine;
-import org.evoloop.statemachine.StateMachineBuilder;
 import org.evoloop.xmi.ModelReference;
 import org.jspecify.annotations.Nullable;
 
@@ -28,8 +25,6 @@ record ModelReader(
         @Nullable ModelPair known,
         List<ModelReference> references,
         @Nullable Path properties) {
-    private static final String ONLY_STATE = "Any";
-
     /** Reads the section {@code models} of {@code file}. */
     static ModelReader read(Section file, Problems problems) {
         Section models = file.section("models").orElse(null);
@@ -91,16 +86,8 @@ record ModelReader(
         return ModelReference.parse(file.resolveSibling(written.value()).toString());
     }
 
-    /** The models; if the file has none, one state with a loop for each event that the file names. */
+    /** The models; if the file has none, those that assume nothing. */
     ModelPair pair(FileModels models) {
-        if (known != null) {
-            return known;
-        }
-        StateMachineBuilder machine = StateMachine.named("original").initial(ONLY_STATE);
-        Set<String> events = new LinkedHashSet<>(models.allSent());
-        events.addAll(models.allDevicesOwn());
-        events.forEach(event -> machine.transition(ONLY_STATE, event, ONLY_STATE));
-        StateMachine any = machine.build();
-        return new ModelPair(any, any.withName("new"));
+        return known != null ? known : models.free();
     }
 }

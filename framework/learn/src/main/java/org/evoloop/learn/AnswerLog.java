@@ -1,152 +1,188 @@
 package org.evoloop.learn;
 
-import static java.util.Objects.requireNonNull;
-
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Deque;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.evoloop.learn.Heard.Reply;
+import org.evoloop.learn.Session.Answer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The file of all runs, a line for each, on disk before it counts. A line before each run says how much it will press, so
- * that a run that was cut off still counts for {@code at most N presses an hour}.
+ * The answers as lines of a file, each written when its word is at its end. The learner asks the same words in the same order
+ * when it begins again, so that it gets its answers from here as far as they go. The process may be killed at any time: a line
+ * without its end is dropped, and its word is asked again.
+ *
+ * <p>Threading: for one thread; a file is open in one process only.
+ *
+ * @since 0.1
  */
-final class AnswerLog implements AutoCloseable {
-    private static final String ASK = "ask ";
-    private static final String RUN = "run ";
+public final class AnswerLog implements AutoCloseable {
+    private static final String HEAD = "evoloop-learn 1";
+    /** Those of a step. */
+    private static final int FIELDS = 5;
 
-    /** Null if nothing is kept. */
-    private final @Nullable FileChannel channel;
+    private static final Pattern ESCAPED = Pattern.compile("\\\\(.)");
+    private static final String ACTS = "\u001f";
 
-    private final String name;
+    private final FileChannel channel;
+    private final Deque<Answer> recorded = new ArrayDeque<>();
 
-    private AnswerLog(@Nullable FileChannel channel, String name) {
+    private AnswerLog(FileChannel channel) {
         this.channel = channel;
-        this.name = name;
-    }
-
-    /** What is in the file. */
-    interface Content {
-        void asked(long wallMillis, int presses);
-
-        void ran(Run run);
     }
 
     /**
-     * Opens or creates the file and reads it.
+     * Opens a file, or begins one.
      *
-     * @param file null if nothing is to be kept
-     * @param head its first line, which says what was learned: a file with another one is refused
+     * @param file in a folder that exists
+     * @param device its name, which must be the one that the file was begun with
+     * @throws IOException if it cannot be used; the message says why
      */
-    static AnswerLog open(@Nullable Path file, String head, Content content) {
-        if (file == null) {
-            return new AnswerLog(null, "");
-        }
-        FileChannel channel = null;
+    public static AnswerLog open(Path file, String device) throws IOException {
+        FileChannel channel =
+                FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
         try {
-            channel = FileChannel.open(
-                    file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
-            if (channel.tryLock() == null) {
-                throw new OverlappingFileLockException();
-            }
-            AnswerLog log = new AnswerLog(channel, file.toString());
-            log.read(head, content);
+            lock(channel, file);
+            AnswerLog log = new AnswerLog(channel);
+            log.read(file, device);
             return log;
-        } catch (OverlappingFileLockException busy) {
-            close(channel);
-            throw new LearnException(
-                    file + " is in use: another learning writes to it; end that one or name another file", busy);
-        } catch (IOException failed) {
-            close(channel);
-            throw new LearnException(file + " cannot be used: " + failed, failed);
-        } catch (LearnException refused) {
-            close(channel);
-            throw refused;
+        } catch (IOException | RuntimeException unusable) {
+            channel.close();
+            throw unusable;
         }
     }
 
-    private static void close(@Nullable FileChannel channel) {
-        if (channel != null) {
+    private static void lock(FileChannel channel, Path file) throws IOException {
+        try {
+            if (channel.tryLock() != null) {
+                return;
+            }
+        } catch (OverlappingFileLockException inThisProcess) {
+            // As below.
+        }
+        throw new IOException(file + " is in use: another process learns with it");
+    }
+
+    private void read(Path file, String device) throws IOException {
+        String text = new String(Files.readAllBytes(file), StandardCharsets.UTF_8);
+        int end = text.lastIndexOf('\n') + 1;
+        channel.truncate(text.substring(0, end).getBytes(StandardCharsets.UTF_8).length);
+        channel.position(channel.size());
+        if (end == 0) {
+            write(List.of(HEAD, device));
+            return;
+        }
+        String[] found = text.substring(0, end).split("\n", 0);
+        if (!fields(found[0]).equals(List.of(HEAD, device))) {
+            throw new IOException(file + ":1 is not what was heard of the device " + device
+                    + "; give another folder, or remove the file to begin again");
+        }
+        for (int i = 1; i < found.length; i++) {
             try {
-                channel.close();
-            } catch (IOException failed) {
-                throw new LearnException("the file of learning cannot be closed: " + failed, failed);
+                recorded.add(answer(fields(found[i])));
+            } catch (IllegalArgumentException unreadable) {
+                throw new IOException(file + ":" + (i + 1) + " is no line of answers; remove it and what follows");
             }
         }
     }
 
-    private void read(String head, Content content) throws IOException {
-        FileChannel from = requireNonNull(channel);
-        ByteBuffer bytes = ByteBuffer.allocate(Math.toIntExact(from.size()));
-        while (bytes.hasRemaining() && from.read(bytes) >= 0) {
-            // Read to the end.
-        }
-        String text = new String(bytes.array(), StandardCharsets.ISO_8859_1);
-        int whole = text.lastIndexOf('\n') + 1;
-        // What follows the last line's end was cut off.
-        from.truncate(whole);
-        from.position(whole);
-        if (whole == 0) {
-            append(head);
-            return;
-        }
-        String[] lines = text.substring(0, whole).split("\n", -1);
-        if (!lines[0].equals(head)) {
-            throw new LearnException(name + ", line 1: it is about '" + lines[0] + "', but what is to be learned is '"
-                    + head + "'; name another file");
-        }
-        for (int i = 1; i < lines.length - 1; i++) {
-            readLine(lines[i], i + 1, content);
-        }
+    private static List<String> fields(String line) {
+        return Arrays.stream(line.split("\t", -1)).map(AnswerLog::unescaped).toList();
     }
 
-    private void readLine(String line, int number, Content content) {
-        try {
-            if (line.startsWith(RUN)) {
-                content.ran(Run.read(line.substring(RUN.length())));
-            } else if (line.startsWith(ASK)) {
-                String[] parts = line.substring(ASK.length()).split(" ", 2);
-                content.asked(Long.parseLong(parts[0]), Integer.parseInt(parts[1]));
-            } else {
-                throw new IllegalArgumentException("it begins with neither '" + RUN + "' nor '" + ASK + "'");
-            }
-        } catch (IllegalArgumentException | ArrayIndexOutOfBoundsException damaged) {
-            throw new LearnException(
-                    name + ", line " + number + " is damaged; delete that line, which costs its answers, or the file",
-                    damaged);
-        }
+    /** What {@code word} was answered before; null if it was not asked next then. */
+    @Nullable
+    Answer recorded(List<String> word) {
+        Answer next = recorded.peek();
+        return next != null && next.steps().stream().map(Step::input).toList().equals(word) ? recorded.poll() : null;
     }
 
-    /** Says before a run how much it will press. */
-    void asks(long wallMillis, int presses) {
-        append(ASK + wallMillis + " " + presses);
+    /** All that has not been asked for again, which is forgotten: other words are asked now, as other rules hold. */
+    List<Answer> rest() {
+        List<Answer> rest = List.copyOf(recorded);
+        recorded.clear();
+        return rest;
     }
 
-    void ran(Run run) {
-        append(RUN + run.line());
-    }
-
-    private void append(String line) {
-        if (channel == null) {
-            return;
+    /** A word that was answered. */
+    void heard(Answer answer) {
+        List<String> line = new ArrayList<>(List.of(answer.atReset()));
+        for (Step step : answer.steps()) {
+            Heard heard = step.heard();
+            line.add(step.input());
+            line.add(heard.reply().name());
+            line.add(String.join(ACTS, heard.acts()));
+            line.add(heard.shown());
+            line.add(String.valueOf(heard.after().toMillis()));
         }
         try {
-            ByteBuffer bytes = ByteBuffer.wrap((line + "\n").getBytes(StandardCharsets.ISO_8859_1));
-            while (bytes.hasRemaining()) {
-                channel.write(bytes);
-            }
-            channel.force(false);
-        } catch (IOException failed) {
-            throw new LearnException(name + " cannot be written: " + failed, failed);
+            write(line);
+        } catch (IOException full) {
+            throw new UncheckedIOException("what was heard could not be written: " + full.getMessage(), full);
         }
     }
 
+    private void write(List<String> line) throws IOException {
+        String text = String.join("\t", line.stream().map(AnswerLog::escaped).toList()) + "\n";
+        ByteBuffer bytes = ByteBuffer.wrap(text.getBytes(StandardCharsets.UTF_8));
+        while (bytes.hasRemaining()) {
+            channel.write(bytes);
+        }
+    }
+
+    private static Answer answer(List<String> line) {
+        if (line.size() == 1 || line.size() % FIELDS != 1) {
+            throw new IllegalArgumentException("fields are missing");
+        }
+        List<Step> steps = new ArrayList<>();
+        for (int i = 1; i < line.size(); i += FIELDS) {
+            String acts = line.get(i + 2);
+            steps.add(new Step(
+                    line.get(i),
+                    new Heard(
+                            Reply.valueOf(line.get(i + 1)),
+                            acts.isEmpty() ? List.of() : List.of(acts.split(ACTS)),
+                            line.get(i + 3),
+                            Duration.ofMillis(Long.parseLong(line.get(i + 4))))));
+        }
+        return new Answer(line.get(0), steps);
+    }
+
+    private static String escaped(String field) {
+        return field.replace("\\", "\\\\")
+                .replace("\t", "\\t")
+                .replace("\n", "\\n")
+                .replace("\r", "\\r");
+    }
+
+    private static String unescaped(String field) {
+        return ESCAPED.matcher(field)
+                .replaceAll(found -> Matcher.quoteReplacement(
+                        switch (found.group(1)) {
+                            case "t" -> "\t";
+                            case "n" -> "\n";
+                            case "r" -> "\r";
+                            default -> found.group(1);
+                        }));
+    }
+
+    /** Closes the file. */
     @Override
-    public void close() {
-        close(channel);
+    public void close() throws IOException {
+        channel.close();
     }
 }

@@ -1,31 +1,30 @@
 /**
- * Learns the state machine of a device by pressing its inputs.
+ * Learns the state machine of a device from the device itself, by operating it and listening.
  *
- * <p>{@link org.evoloop.learn.Learning} puts words, which are inputs from a reset on, to a
- * {@link org.evoloop.learn.LearnableDevice}. The algorithm is LearnLib's TTT; what it asks goes through an oracle of our
- * own, which keeps every answer ever heard in a tree, with counts, and each run in a log before it counts. So three things
- * are one mechanism:
+ * <p>The parts, and the way that data takes:
  *
- * <ul>
- *   <li>Noise: an answer that differs from an earlier one is voted on. The noisier the device, the larger the lead that an
- *       answer needs. The algorithm then starts again and gets its old answers from the tree, without a press.
- *   <li>A kill: a run that was not written to the end did not happen.
- *   <li>Resuming: the tree is what the log says.
- * </ul>
+ * <pre>
+ * Learner  --a word of inputs-->  Answers  --what is not known yet-->  Session  --press, wait, reset-->  LearnedDevice
+ *    |                               |                                    |
+ *    TTT of LearnLib, Suite          AnswerTree, AnswerLog                LearnRules
+ * </pre>
  *
- * <p>Time: waiting is one more input. A wait in which nothing happens for the longest time changes nothing, so a state is
- * observed once, and what follows a quiet wait is known from what follows without it. Tests wait only as their last step,
- * besides where a state is reached only by waiting. When a device does something by itself, this is a spontaneous event; its time is an
- * interval, measured from the first sign of the state.
+ * <p>{@link org.evoloop.learn.LearnedDevice} is the port: it presses, listens until the device is quiet, and resets.
+ * {@code Session} takes one word to it. It checks {@link org.evoloop.learn.LearnRules} before anything is sent, and repeats a
+ * word if a person or the connection came between.
  *
- * <p>Looking is an input, too. It costs nothing, since each answer has what the device shows, and it keeps apart states that
- * look different.
+ * <p>{@code Answers} owns what was heard, in a tree, and as lines of a file if there is one. An answer is asked for
+ * once. An input that leaves the device alone (a wait in which nothing happens, an input that a rule forbids) leads back to
+ * the same node of the tree, so that nothing is asked twice behind it.
  *
- * <p>The tests reach each state, take up to two inputs, and then look where they are. A machine that passes is tested to
- * depth 1; that the device has no more states cannot be proved from outside.
+ * <p>If the device contradicts the tree, the question is put again until a vote decides. If the tree was wrong, it is cut
+ * there, and the learner begins again from the tree, which costs no press. A process that was killed begins again in the same
+ * way: it asks the same words in the same order, and the file answers as far as it goes. An edge on which no vote decides is named, and learning ends.
  *
- * <p>It may use {@code statemachine}, {@code time}, the model files, LearnLib and AutomataLib; those two appear in
- * no signature of the API.
+ * <p>Time: waiting is an input, {@link org.evoloop.learn.LearnedDevice#WAIT}. Each state is observed once; what the device
+ * does then is an act of its own, after an interval. Tests wait only as their last step, unless only a timer leads to a state.
+ *
+ * <p>The result is a {@link org.evoloop.learn.Learned}, which says how often each transition was seen, and what is open.
  */
 @NullMarked
 package org.evoloop.learn;

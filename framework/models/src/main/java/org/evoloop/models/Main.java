@@ -5,6 +5,7 @@ import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.evoloop.config.UsersMistakes;
+import org.evoloop.device.file.DeviceFileException;
 import org.evoloop.journal.JournalException;
 import org.evoloop.models.device.DeviceCommands;
 import org.evoloop.statemachine.ModelException;
@@ -22,11 +23,16 @@ public final class Main {
     }
 
     private static int onTerminal(List<String> arguments) {
-        CommandLine commandLine = commandLine();
+        boolean learns = !arguments.isEmpty() && arguments.get(0).equals("learn");
+        CommandLine commandLine = learns ? learning() : commandLine();
         // Names may be in any script, whatever the terminal's encoding; files and pipes expect UTF-8.
         commandLine.setOut(new PrintWriter(System.out, true, StandardCharsets.UTF_8));
         commandLine.setErr(new PrintWriter(System.err, true, StandardCharsets.UTF_8));
-        return run(commandLine, arguments.toArray(String[]::new));
+        return run(commandLine, (learns ? arguments.subList(1, arguments.size()) : arguments).toArray(String[]::new));
+    }
+
+    static CommandLine learning() {
+        return new CommandLine(new LearnCommand());
     }
 
     static CommandLine commandLine() {
@@ -44,6 +50,7 @@ public final class Main {
 
     private static boolean isUsersMistake(Exception failure) {
         return failure instanceof ModelException
+                || failure instanceof DeviceFileException
                 || failure instanceof JournalException
                 || failure instanceof IllegalArgumentException
                 || failure instanceof IOException;

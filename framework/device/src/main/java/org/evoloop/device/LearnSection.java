@@ -1,0 +1,134 @@
+package org.evoloop.device;
+
+import java.time.Duration;
+import java.time.LocalTime;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.evoloop.device.file.Node;
+import org.evoloop.device.file.Section;
+import org.evoloop.statemachine.Names;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What a device file says about learning the device: how it is brought to its beginning, and what must not be done.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param home the state in which it begins and is left; empty if the device does not say where it is
+ * @param reset events that are sent until the device is at home, or once if it does not say where it is
+ * @param settle how long it must be quiet after an event
+ * @param never events that are never sent
+ * @param neverIn by state: events that are not sent there
+ * @param pressesAnHour how many events are sent in an hour at most; empty for no limit
+ * @param stops by reading: the value above which learning ends
+ * @param hours the first hour of the day and the first that is too late; empty for all
+ * @since 0.1
+ */
+public record LearnSection(
+        String home,
+        List<String> reset,
+        Duration settle,
+        Set<String> never,
+        Map<String, Set<String>> neverIn,
+        Optional<Integer> pressesAnHour,
+        Map<String, Double> stops,
+        List<LocalTime> hours) {
+    private static final int MOST_PRESSES = 1_000_000;
+    private static final Duration SETTLE = Duration.ofMillis(500);
+
+    /** Nothing is said. */
+    public static final LearnSection NONE =
+            new LearnSection("", List.of(), SETTLE, Set.of(), Map.of(), Optional.empty(), Map.of(), List.of());
+
+    public LearnSection {
+        reset = List.copyOf(reset);
+        never = Set.copyOf(never);
+        neverIn = Map.copyOf(neverIn);
+        stops = Map.copyOf(stops);
+        hours = List.copyOf(hours);
+    }
+
+    static LearnSection read(Section learn, FileModels models) {
+        String home = learn.text("home").map(models::deviceState).orElse("");
+        List<String> reset = new ArrayList<>();
+        Set<String> never = new LinkedHashSet<>();
+        learn.texts("never").forEach(event -> never.add(sendable(learn, event, models)));
+        for (Node.Text event : learn.texts("reset")) {
+            reset.add(sendable(learn, event, models));
+            if (never.contains(event.value())) {
+                learn.problems().at(event, "'" + event + "' is sent for the reset, and learn.never forbids it");
+            }
+        }
+        Map<String, Set<String>> neverIn = new LinkedHashMap<>();
+        learn.section("never-in").ifPresent(states -> {
+            for (Node.Text state : states.keys()) {
+                Set<String> events = new LinkedHashSet<>();
+                states.texts(state.value()).forEach(event -> events.add(sendable(learn, event, models)));
+                neverIn.put(models.deviceState(state), events);
+            }
+            states.done();
+        });
+        Map<String, Double> stops = new LinkedHashMap<>();
+        learn.section("stop-above").ifPresent(limits -> {
+            for (Node.Text reading : limits.keys()) {
+                limits.value(reading.value(), LearnSection::number)
+                        .ifPresent(limit -> stops.put(reading.value(), limit));
+            }
+            limits.done();
+        });
+        List<LocalTime> hours = new ArrayList<>();
+        learn.texts("between").forEach(time -> {
+            LocalTime read = time(learn, time);
+            if (read != null) {
+                hours.add(read);
+            }
+        });
+        if (hours.size() == 1) {
+            learn.problem("learn.between takes two times of day, such as [\"08:00\", \"20:00\"]");
+        }
+        LearnSection section = new LearnSection(
+                home,
+                reset,
+                learn.period("settle").orElse(SETTLE),
+                never,
+                neverIn,
+                learn.number("presses-an-hour", 1, MOST_PRESSES),
+                stops,
+                hours);
+        learn.done();
+        return section;
+    }
+
+    private static String sendable(Section learn, Node.Text event, FileModels models) {
+        if (!models.allSent().contains(event.value())) {
+            learn.problems()
+                    .at(
+                            event,
+                            "'" + event + "' is not an event that is sent to the device"
+                                    + Names.hint(event.value(), models.allSent()));
+        }
+        return event.value();
+    }
+
+    private static @Nullable LocalTime time(Section learn, Node.Text time) {
+        try {
+            return Section.timeOfDay(time.value());
+        } catch (IllegalArgumentException wrong) {
+            learn.problems().at(time, String.valueOf(wrong.getMessage()));
+            return null;
+        }
+    }
+
+    private static Double number(String text) {
+        try {
+            return Double.valueOf(text);
+        } catch (NumberFormatException wrong) {
+            throw new IllegalArgumentException("'" + text + "' is no number");
+        }
+    }
+}

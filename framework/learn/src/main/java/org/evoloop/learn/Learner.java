@@ -1,0 +1,154 @@
+package org.evoloop.learn;
+
+import de.learnlib.acex.AcexAnalyzers;
+import de.learnlib.algorithm.ttt.mealy.TTTLearnerMealy;
+import de.learnlib.query.DefaultQuery;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import net.automatalib.alphabet.impl.Alphabets;
+import net.automatalib.word.Word;
+import org.evoloop.learn.Answers.AgainException;
+import org.evoloop.time.Clock;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Learns a device.
+ *
+ * <p>Threading: for one thread; to stop it, interrupt the thread.
+ *
+ * @since 0.1
+ */
+public final class Learner {
+    private final List<String> inputs;
+    private final LearnSettings settings;
+    private final Session session;
+    private final Answers answers;
+    private final LearnProgress progress;
+    private @Nullable Mealy best;
+
+    /**
+     * @param device what is learned
+     * @param events what can be sent to it
+     * @param rules what must not be done
+     * @param settings how
+     * @param clock the device's time
+     * @param log where answers are kept, and what was answered before; null to keep none
+     * @param progress is told how far it is
+     */
+    public Learner(
+            LearnedDevice device,
+            List<String> events,
+            LearnRules rules,
+            LearnSettings settings,
+            Clock clock,
+            @Nullable AnswerLog log,
+            LearnProgress progress) {
+        this.inputs = new ArrayList<>(
+                events.stream().filter(event -> !rules.never().contains(event)).toList());
+        if (inputs.isEmpty()) {
+            throw new IllegalArgumentException("there is nothing that may be sent to the device");
+        }
+        inputs.add(LearnedDevice.WAIT);
+        this.settings = settings;
+        this.session = new Session(device, rules, settings, clock);
+        this.answers = new Answers(session, log);
+        this.progress = progress;
+    }
+
+    /** Learns until the test is passed, or something ends it. */
+    public Learned learn() {
+        String open = "";
+        try {
+            while (!isDone()) {
+                // An answer was wrong: the learner begins again with what is left of the tree.
+            }
+        } catch (OpenEndException end) {
+            open = String.valueOf(end.getMessage());
+        }
+        return Learned.of(best, answers.tree(), settings.depth(), session.words(), session.elapsed(), open);
+    }
+
+    /** Whether it was learned; false if it has to begin again. */
+    private boolean isDone() {
+        try {
+            TTTLearnerMealy<String, String> learner =
+                    new TTTLearnerMealy<>(Alphabets.fromList(inputs), answers, AcexAnalyzers.BINARY_SEARCH_BWD);
+            learner.startLearning();
+            while (true) {
+                Mealy hypothesis = Mealy.of(learner.getHypothesisModel(), inputs);
+                best = hypothesis;
+                progress.at(hypothesis.size(), session.words(), session.elapsed());
+                List<String> example = counterexample(hypothesis);
+                if (example == null) {
+                    return true;
+                }
+                DefaultQuery<String, Word<String>> query = new DefaultQuery<>(Word.fromList(example));
+                query.answer(answers.outputs(example));
+                if (!learner.refineHypothesis(query)) {
+                    throw new IllegalStateException("the learner does not take " + example);
+                }
+            }
+        } catch (AgainException wrong) {
+            return false;
+        }
+    }
+
+    private @Nullable List<String> counterexample(Mealy hypothesis) {
+        List<String> known = inTree(hypothesis, answers.tree().root(), 0);
+        if (known != null) {
+            return known;
+        }
+        for (List<String> word : new Suite(hypothesis).words(settings.depth())) {
+            int before = session.words();
+            int length = differs(hypothesis, word, answers.outputs(word));
+            if (length > 0) {
+                List<String> example = word.subList(0, length);
+                answers.confirm(example);
+                return example;
+            }
+            if (session.words() > before) {
+                progress.at(hypothesis.size(), session.words(), session.elapsed());
+            }
+        }
+        return null;
+    }
+
+    /** The number of inputs up to the first answer that the hypothesis does not give; 0 if it gives all. */
+    private static int differs(Mealy hypothesis, List<String> word, Word<String> outputs) {
+        int state = 0;
+        for (int i = 0; i < word.size(); i++) {
+            int input = hypothesis.input(word.get(i));
+            if (!hypothesis.outputs()[state][input].equals(outputs.getSymbol(i))) {
+                return i + 1;
+            }
+            state = hypothesis.next()[state][input];
+        }
+        return 0;
+    }
+
+    /** Something that was heard before, and that the hypothesis does not answer; null if there is nothing. */
+    private @Nullable List<String> inTree(Mealy hypothesis, AnswerTree.Node node, int state) {
+        for (Map.Entry<String, AnswerTree.Edge> next : node.edges().entrySet()) {
+            int input = hypothesis.input(next.getKey());
+            AnswerTree.Edge edge = next.getValue();
+            if (input < 0) {
+                continue;
+            }
+            if (!hypothesis.outputs()[state][input].equals(edge.heard().output())) {
+                List<String> example = node.path();
+                example.add(next.getKey());
+                answers.confirm(example);
+                return example;
+            }
+            if (edge.target() != node) {
+                List<String> below =
+                        inTree(hypothesis, edge.target(), hypothesis.next()[state][input]);
+                if (below != null) {
+                    return below;
+                }
+            }
+        }
+        return null;
+    }
+}

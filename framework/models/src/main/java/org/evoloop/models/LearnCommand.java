@@ -1,0 +1,203 @@
+package org.evoloop.models;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.ZoneId;
+import java.util.List;
+import java.util.NoSuchElementException;
+import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
+import org.evoloop.console.Console;
+import org.evoloop.converter.PushMonitor;
+import org.evoloop.device.DeviceConverter;
+import org.evoloop.device.DeviceFile;
+import org.evoloop.device.DeviceProgram;
+import org.evoloop.device.LearnSection;
+import org.evoloop.learn.AnswerLog;
+import org.evoloop.learn.ConverterDevice;
+import org.evoloop.learn.LearnProgress;
+import org.evoloop.learn.LearnRules;
+import org.evoloop.learn.LearnSettings;
+import org.evoloop.learn.Learned;
+import org.evoloop.learn.Learner;
+import org.evoloop.learn.LookExecute;
+import org.evoloop.models.flat.AstahWriter;
+import org.evoloop.models.flat.FlatDrawing;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.time.Clock;
+import org.evoloop.time.SystemClock;
+import org.evoloop.xmi.ModelWriter;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** Learns the original model of a device file's device by operating it. */
+@Command(
+        name = "learn",
+        description = "Learns the state machine of a device by operating it, and writes it as a model.",
+        footer = {
+            "",
+            "Exit status: 0 the machine passed its test, 1 something stays open, which is named, 2 wrong usage or input."
+        },
+        mixinStandardHelpOptions = true)
+@SuppressWarnings("NullAway.Init") // picocli sets the fields
+final class LearnCommand implements Callable<Integer> {
+    private static final String ORIGINAL = "original";
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "FILE.yaml", description = "The device file. Its section learn has the rules.")
+    private Path file;
+
+    @Option(
+            names = "--output",
+            required = true,
+            paramLabel = "MODEL",
+            description = "The model file that is written: .mmd for Mermaid, .scxml, or .xml for Astah's XMI.")
+    private Path output;
+
+    @Option(
+            names = "--budget",
+            paramLabel = "TIME",
+            defaultValue = "1 d",
+            description = "Ends with the best machine so far after this time (default: ${DEFAULT-VALUE}).")
+    private String budget;
+
+    @Option(
+            names = "--longest",
+            paramLabel = "TIME",
+            defaultValue = "60 s",
+            description = "How long each state is observed for what the device does by itself (default:"
+                    + " ${DEFAULT-VALUE}).")
+    private String longest;
+
+    @Option(
+            names = "--journal",
+            paramLabel = "DIR",
+            description = "Keeps all answers there; the next start goes on with them.")
+    private @Nullable Path journal;
+
+    @Override
+    public Integer call() throws IOException {
+        String ending = ending();
+        LearnSettings settings =
+                new LearnSettings(time("--longest", longest), time("--budget", budget), LearnSettings.USUAL.depth());
+        DeviceFile device = DeviceFile.read(file, DeviceProgram.options());
+        Learned learned = learn(device, settings);
+        report(learned);
+        if (learned.states().isEmpty()) {
+            return 1;
+        }
+        Files.writeString(output, written(learned, ending));
+        return learned.isTested() ? 0 : 1;
+    }
+
+    private String ending() {
+        String name = String.valueOf(output.getFileName());
+        String ending = name.substring(name.lastIndexOf('.') + 1);
+        if (!name.contains(".") || !List.of("mmd", "scxml", "xml").contains(ending)) {
+            throw new IllegalArgumentException(
+                    "--output " + output + " has no ending that names a format; use .mmd, .scxml or .xml");
+        }
+        return ending;
+    }
+
+    private static Duration time(String option, String text) {
+        try {
+            return new Event("tm(" + text + ")").timeTrigger().orElseThrow();
+        } catch (ModelException | NoSuchElementException wrong) {
+            throw new IllegalArgumentException(option + " is '" + text
+                    + "', which is no duration; write a number and a unit, such as 60 s or 2 h");
+        }
+    }
+
+    private Learned learn(DeviceFile device, LearnSettings settings) throws IOException {
+        LearnSection section = device.learning();
+        PushMonitor buttons = new PushMonitor("Learner");
+        try (Clock clock = new SystemClock();
+                AnswerLog log = log(device.name());
+                DeviceConverter opened = DeviceConverter.open(
+                        device, device.free(LookExecute.LOOK, LookExecute.SEEN), clock, buttons, new LookExecute())) {
+            ConverterDevice port =
+                    new ConverterDevice(opened.converter(), buttons, section.home(), section.reset(), section.settle());
+            return new Learner(
+                            port,
+                            device.sent().stream().sorted().toList(),
+                            rules(section),
+                            settings,
+                            clock,
+                            log,
+                            progress())
+                    .learn();
+        }
+    }
+
+    private @Nullable AnswerLog log(String device) throws IOException {
+        if (journal == null) {
+            return null;
+        }
+        Files.createDirectories(journal);
+        return AnswerLog.open(journal.resolve("answers.log"), device);
+    }
+
+    private static LearnRules rules(LearnSection section) {
+        return new LearnRules(
+                section.never(),
+                section.neverIn(),
+                section.pressesAnHour().orElse(Integer.MAX_VALUE),
+                section.stops().entrySet().stream()
+                        .map(stop -> new LearnRules.Stop(stop.getKey(), stop.getValue()))
+                        .toList(),
+                section.hours().isEmpty()
+                        ? null
+                        : new LearnRules.Hours(
+                                section.hours().get(0), section.hours().get(1), ZoneId.systemDefault()));
+    }
+
+    private LearnProgress progress() {
+        PrintWriter err = spec.commandLine().getErr();
+        if (!Console.isOnTerminal()) {
+            return (states, words, elapsed) -> {};
+        }
+        return (states, words, elapsed) -> {
+            err.print("\r" + states + " states, " + words + " words, " + elapsed.toSeconds() + " s ");
+            err.flush();
+        };
+    }
+
+    private void report(Learned learned) {
+        PrintWriter out = spec.commandLine().getOut();
+        learned.edges().forEach(out::println);
+        out.println(learned.states().size() + " states, " + learned.words() + " words in "
+                + learned.took().toSeconds() + " s, "
+                + (learned.open().isEmpty() ? "tested to depth " + learned.depth() : "not tested to the end"));
+        if (!learned.open().isEmpty()) {
+            out.println("open: " + learned.open());
+        }
+        learned.remarks().forEach(remark -> out.println("open: " + remark));
+        out.flush();
+    }
+
+    private static String written(Learned learned, String ending) {
+        StateMachine machine = learned.model(ORIGINAL);
+        return switch (ending) {
+            case "xml" -> AstahWriter.write(machine);
+            case "scxml" -> ModelWriter.SCXML.write(FlatDrawing.of(machine));
+            default -> ModelWriter.MERMAID.write(FlatDrawing.of(machine)) + seen(learned);
+        };
+    }
+
+    /** Comments that say how often each transition was seen. */
+    private static String seen(Learned learned) {
+        return learned.edges().stream().map(edge -> "%% " + edge + "\n").collect(Collectors.joining());
+    }
+}

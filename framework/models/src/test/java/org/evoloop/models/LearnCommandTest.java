@@ -1,0 +1,155 @@
+package org.evoloop.models;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.evoloop.xmi.ModelReference;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import picocli.CommandLine;
+
+/** A device at a TCP port is learned from its device file. */
+@SuppressWarnings("NullAway.Init") // set before each test
+class LearnCommandTest {
+    @TempDir
+    private Path folder;
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+    private final List<String> received = new CopyOnWriteArrayList<>();
+    private ServerSocket server;
+    private String state = "Off";
+
+    @BeforeEach
+    void serve() throws IOException {
+        server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+        Thread thread = new Thread(this::answer, "dimmer");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    @AfterEach
+    void end() throws IOException {
+        server.close();
+    }
+
+    /** PWR switches it on and off, DIM only when it is on. */
+    private void answer() {
+        while (!server.isClosed()) {
+            try (Socket socket = server.accept();
+                    BufferedReader in =
+                            new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8));
+                    PrintWriter answers = new PrintWriter(socket.getOutputStream(), true, StandardCharsets.UTF_8)) {
+                for (String line = in.readLine(); line != null; line = in.readLine()) {
+                    received.add(line);
+                    answers.print(answer(line) + "\n");
+                    answers.flush();
+                }
+            } catch (IOException closed) {
+                // The next connection, if there is one.
+            }
+        }
+    }
+
+    private String answer(String line) {
+        switch (line) {
+            case "STATE?" -> {
+                return "is " + state;
+            }
+            case "PWR" -> state = state.equals("Off") ? "Bright" : "Off";
+            case "DIM" -> {
+                if (state.equals("Off")) {
+                    return "ERR";
+                }
+                state = state.equals("Bright") ? "Dim" : "Bright";
+            }
+            default -> {
+                return "ERR";
+            }
+        }
+        return "OK";
+    }
+
+    private int learn(String rules, String... options) throws IOException {
+        Path file = folder.resolve("dimmer.yaml");
+        Files.writeString(file, """
+                converter: dimmer
+                connections: {dimmer: {lines: "tcp://127.0.0.1:%d"}}
+                device:
+                  send: {power: PWR, dim: DIM, clear: CLR}
+                  answer: {ok: OK, error: ERR, within: 5 s}
+                  ask: {line: STATE?, within: 5 s}
+                  state: {is Off: "Off", is Bright: Bright, is Dim: Dim}
+                learn: {home: "Off", reset: power, settle: 5 ms%s}
+                """.formatted(server.getLocalPort(), rules));
+        CommandLine command = Main.learning();
+        command.setOut(new PrintWriter(out, true));
+        command.setErr(new PrintWriter(err, true));
+        String[] all = new String[options.length + 1];
+        all[0] = file.toString();
+        System.arraycopy(options, 0, all, 1, options.length);
+        return Main.run(command, all);
+    }
+
+    @Test
+    void itIsLearnedAndWhatIsWrittenReadsBackWithoutAForbiddenEvent() throws IOException {
+        Path model = folder.resolve("dimmer.mmd");
+
+        int status = learn(
+                ", never: clear", "--output=" + model, "--longest=50 ms", "--journal=" + folder.resolve("answers"));
+
+        assertThat(out.toString()).contains("Off --dim--> Off: refused, seen ", "tested to depth 1");
+        assertThat(status).isZero();
+        assertThat(received).doesNotContain("CLR");
+        assertThat(state).isNotEmpty();
+        assertThat(ModelReference.parse(model + "#original").load().transitions())
+                .extracting(Object::toString)
+                .containsExactlyInAnyOrder(
+                        "Off --power--> Bright",
+                        "Bright --power--> Off",
+                        "Bright --dim--> Dim",
+                        "Dim --power--> Off",
+                        "Dim --dim--> Bright");
+
+        int before = received.size();
+        assertThat(learn(
+                        ", never: clear",
+                        "--output=" + folder.resolve("again.scxml"),
+                        "--longest=50 ms",
+                        "--journal=" + folder.resolve("answers")))
+                .isZero();
+        assertThat(received.subList(before, received.size())).doesNotContain("PWR", "DIM");
+    }
+
+    @Test
+    void anEmptyBudgetEndsWithWhatIsOpen() throws IOException {
+        assertThat(learn("", "--output=" + folder.resolve("dimmer.xml"), "--longest=50 ms", "--budget=1 ms"))
+                .isEqualTo(1);
+        assertThat(out.toString()).contains("open: the budget is spent");
+    }
+
+    @Test
+    void wrongInputIsNamed() throws IOException {
+        assertThat(learn("", "--output=" + folder.resolve("dimmer.png"))).isEqualTo(2);
+        assertThat(err.toString()).contains(".mmd, .scxml or .xml");
+        assertThat(learn("", "--output=a.mmd", "--budget=soon")).isEqualTo(2);
+        assertThat(err.toString()).contains("--budget is 'soon'");
+        assertThat(learn(", never: cleer, presses-an-hour: 0", "--output=a.mmd"))
+                .isEqualTo(2);
+        assertThat(err.toString()).contains("dimmer.yaml:8", "'cleer'", "clear", "'0' is no whole number");
+    }
+}
