@@ -109,6 +109,9 @@ final class Ledger {
     }
 
     private @Nullable Pending nextUrgent() {
+        if (!line.holdsUrgent()) {
+            return null;
+        }
         return line.firstUrgent(pending ->
                 rules.table().models().evolved().hasTrigger(place.at().evolved(), trigger(pending))
                         && (pending.occurrence().visit() == Occurrence.ANY_VISIT

@@ -183,6 +183,11 @@ final class Line {
         return next == null ? first(pending -> true, of) : next;
     }
 
+    /** Whether anything urgent waits. */
+    boolean holdsUrgent() {
+        return urgents > 0;
+    }
+
     /** The first urgent one of these that may have its turn; null if none may. */
     @Nullable
     Pending firstUrgent(Predicate<Pending> of) {

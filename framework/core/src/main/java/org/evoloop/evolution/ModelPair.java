@@ -170,8 +170,10 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
      * false for load=400}. Empty if the new model draws no transition for its event.
      */
     public String guardsThatDoNotHold(Configuration at, Occurrence occurrence) {
-        Event trigger =
-                occurrence instanceof Occurrence.Heard heard ? heard.event().trigger() : null;
+        if (!(occurrence instanceof Occurrence.Heard heard) || !evolved.hasTrigger(at.evolved(), heard.event())) {
+            return "";
+        }
+        Event trigger = heard.event().trigger();
         List<String> guards = evolved.transitionsFrom(at.evolved()).stream()
                 .map(Transition::event)
                 .filter(event ->

@@ -46,6 +46,7 @@ public final class DeviceFile {
     private final FileModels models;
     private final ModelPair pair;
     private final List<ModelReference> references;
+    private final @Nullable Path properties;
     private final Guards guards;
     private final Connections connections;
     private final FileKnowledge.Content knowledge;
@@ -59,6 +60,7 @@ public final class DeviceFile {
         this.models = models;
         this.pair = read.pair(models);
         this.references = read.references();
+        this.properties = read.properties();
         this.guards = reader.guards;
         this.connections = connections;
         this.knowledge = reader.content;
@@ -109,11 +111,20 @@ public final class DeviceFile {
         return references.stream().map(ModelReference::toString).toList();
     }
 
-    /** The models as a program's, with the time requirements beside the new one. */
+    /** The models as a program's, with the time requirements of its properties. */
     ProgramModels programModels() {
-        return references.isEmpty()
-                ? new ProgramModels(pair, TimeRules.NONE, List.of())
-                : ProgramModels.of(references.get(0), references.get(1));
+        if (references.isEmpty()) {
+            return new ProgramModels(pair, TimeRules.NONE, List.of());
+        }
+        ProgramModels read = ProgramModels.of(references.get(0), references.get(1));
+        return properties == null
+                ? read
+                : new ProgramModels(read.pair(), ProgramModels.time(properties, read.pair()), read.offered());
+    }
+
+    /** The file of the new model's properties; empty if none is named, and those beside the model count. */
+    public Optional<Path> properties() {
+        return Optional.ofNullable(properties);
     }
 
     /** The guards, to be attached once. */

@@ -147,6 +147,24 @@ class DeviceFileTest {
     }
 
     @Test
+    void propertiesAreReadWithTheFileAndTheirMistakesSaidBesideItsOwn() throws IOException {
+        String named = FAN.replace("fan.md#new", "fan.md#new, properties: fan.properties.txt");
+        assertThat(named).isNotEqualTo(FAN);
+        assertThat(mistakes(named))
+                .containsExactly("fan.yaml:2: there is no file fan.properties.txt of properties beside this file");
+
+        Files.writeString(folder.resolve("fan.properties.txt"), "Calm: Breeze never longer than 5 min\n");
+        DeviceFile fan = read(named);
+        assertThat(fan.properties()).contains(folder.resolve("fan.properties.txt"));
+        assertThat(fan.programModels().time().properties()).hasSize(1);
+
+        Files.writeString(folder.resolve("fan.properties.txt"), "Calm: Breze never longer than 5 min\n");
+        assertThat(mistakes(named + "color: red\n"))
+                .anyMatch(line -> line.startsWith("fan.yaml:2: ") && line.contains("line 1") && line.contains("Breze"))
+                .anyMatch(line -> line.contains("color"));
+    }
+
+    @Test
     void withoutModelsEachEventIsALoop() throws IOException {
         DeviceFile wired = read("""
                 converter: fan

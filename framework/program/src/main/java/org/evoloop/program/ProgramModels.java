@@ -53,9 +53,15 @@ public record ProgramModels(ModelPair pair, TimeRules time, List<String> offered
 
     private static TimeRules time(ModelReference evolved, ModelPair pair) {
         Path properties = evolved.beside(PropertyFile.ENDING);
-        if (!Files.exists(properties)) {
-            return TimeRules.NONE;
-        }
+        return Files.exists(properties) ? time(properties, pair) : TimeRules.NONE;
+    }
+
+    /**
+     * The time requirements in a file of properties.
+     *
+     * @throws ModelException if it cannot be used
+     */
+    public static TimeRules time(Path properties, ModelPair pair) {
         try {
             return PropertyFile.parse(properties.toString(), Files.readString(properties), pair)
                     .time();

@@ -256,10 +256,12 @@ final class PlanExecutor implements ExecuteAccess.Host {
 
     /** Returns what {@code execute} threw; null if it has settled. */
     private static @Nullable Throwable settle(ExecuteAccess execute, Output.Settle settle) {
+        // Not by UserCode: this is done for every event, and would make an object each time.
         try {
-            return UserCode.call(() -> execute.settled(settle.now()));
-        } catch (InterruptedException stop) {
-            return stop;
+            execute.settled(settle.now());
+            return null;
+        } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {
+            return cause;
         }
     }
 

@@ -31,7 +31,8 @@ final class DeviceCheck {
         }
         List<String> check = new ArrayList<>(List.of("check"));
         check.addAll(file.references());
-        boolean good = check.size() == 1 || models.applyAsInt(check) == 0;
+        file.properties().ifPresent(properties -> check.addAll(List.of("--properties", properties.toString())));
+        boolean good = file.references().isEmpty() || models.applyAsInt(check) == 0;
         for (Scenario scenario : file.scenarios()) {
             String failure = scenario.run(file);
             out.println((failure.isEmpty() ? "passed: " : "FAILED: ") + scenario.name());

@@ -85,6 +85,18 @@ class DeviceCommandsTest {
     }
 
     @Test
+    void itsPropertiesAreCheckedWithTheModels() throws IOException {
+        Path heater = folder.resolve("heater");
+        run("new", heater.toString());
+        Path file = heater.resolve("heater.yaml");
+        Path properties = Files.writeString(heater.resolve("wanted.txt"), "always On or Off\n");
+        Files.writeString(
+                file, Files.readString(file).replace("README.md#new}", "README.md#new, properties: wanted.txt}"));
+        run("check", file.toString());
+        assertThat(models.get(models.size() - 1)).containsSequence("--properties", properties.toString());
+    }
+
+    @Test
     void whatCannotBeBuiltIsAFailedCheck() throws IOException {
         Path heater = folder.resolve("heater");
         run("new", heater.toString());

@@ -56,7 +56,7 @@ class RecordTextTest {
         assertThat(line(new Input.Observed(new Occurrence.Found(new State("Off"), 1))))
                 .contains("Off");
         assertThat(line(new Input.Observed(new Occurrence.Asked(new Event("go"), Values.of("speed", 2), 0, 1))))
-                .contains("go (speed=2.0)");
+                .contains("go (speed=2)");
     }
 
     @Test
