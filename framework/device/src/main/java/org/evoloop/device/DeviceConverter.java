@@ -3,7 +3,6 @@ package org.evoloop.device;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
-import org.evoloop.converter.DeviceLink;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.EventMonitor;
 import org.evoloop.converter.StateKnowledge;
@@ -53,21 +52,11 @@ public final class DeviceConverter implements AutoCloseable {
             throws IOException {
         converter.addMonitor(monitor);
         List<Parts> all = new ArrayList<>();
-        List<DeviceLink> links = new ArrayList<>();
-        for (Connection connection : file.connections()) {
-            Parts parts = connection.assemble(converter);
-            parts.monitors().forEach(converter::addMonitor);
-            parts.executes().forEach(converter::addExecute);
-            if (parts.link() != null) {
-                links.add(parts.link());
-            }
+        Wiring.add(file, converter, parts -> {
             closing.add(parts.close());
             all.add(parts);
-        }
+        });
         converter.addExecute(execute);
-        if (!links.isEmpty()) {
-            converter.addLink(links.size() == 1 ? links.get(0) : new Links(links));
-        }
         converter.addKnowledge(new StateKnowledge(models));
         converter.build();
         for (Parts parts : all) {

@@ -2,7 +2,6 @@ package org.evoloop.device;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import org.evoloop.config.Option;
@@ -98,20 +97,10 @@ public final class DeviceProgram {
     }
 
     private void connect(ProgramSetup setup) throws IOException {
-        List<DeviceLink> links = new ArrayList<>();
-        for (Connection connection : file.connections()) {
-            Parts parts = connection.assemble(setup.converter());
-            parts.monitors().forEach(setup.converter()::addMonitor);
-            parts.executes().forEach(setup.converter()::addExecute);
-            if (parts.link() != null) {
-                links.add(parts.link());
-            }
+        List<DeviceLink> links = Wiring.add(file, setup.converter(), parts -> {
             setup.closing(parts.close()::run);
             setup.onOpen(parts.open()::open);
-        }
-        if (!links.isEmpty()) {
-            setup.converter().addLink(links.size() == 1 ? links.get(0) : new Links(links));
-        }
+        });
         file.guards().attach(setup.clock(), links);
     }
 }

@@ -1,0 +1,38 @@
+package org.evoloop.device;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import org.evoloop.converter.DeviceLink;
+import org.evoloop.converter.SystemEventConverter;
+
+/** Adds the parts of a file's connections to a converter. */
+final class Wiring {
+    private Wiring() {}
+
+    /**
+     * Adds all of them, with their links as one.
+     *
+     * @param each gets the parts of each connection, which it opens and closes
+     * @return the links
+     * @throws IOException if this computer lacks what it takes
+     */
+    static List<DeviceLink> add(DeviceFile file, SystemEventConverter converter, Consumer<Parts> each)
+            throws IOException {
+        List<DeviceLink> links = new ArrayList<>();
+        for (Connection connection : file.connections()) {
+            Parts parts = connection.assemble(converter);
+            parts.monitors().forEach(converter::addMonitor);
+            parts.executes().forEach(converter::addExecute);
+            if (parts.link() != null) {
+                links.add(parts.link());
+            }
+            each.accept(parts);
+        }
+        if (!links.isEmpty()) {
+            converter.addLink(links.size() == 1 ? links.get(0) : new Links(links));
+        }
+        return links;
+    }
+}
