@@ -51,9 +51,9 @@ final class Conversion {
             again(pending, "what the device did by itself is heard first");
             return;
         }
-        String makesWay = pending.hasHappened() ? "" : ledger.makesWay();
-        if (!makesWay.isEmpty()) {
-            giveWay(pending, makesWay);
+        String overtaken = pending.hasHappened() ? "" : ledger.overtakenBy();
+        if (!overtaken.isEmpty()) {
+            giveWay(pending, overtaken);
             return;
         }
         Decision decided = reported(pending, decision);
@@ -106,9 +106,9 @@ final class Conversion {
         if (step == null) {
             return;
         }
-        String makesWay = ledger.makesWay();
-        if (!makesWay.isEmpty()) {
-            conclude(number, Outcome.FAILED, progress.pending().afterBroken(makesWay));
+        String overtaken = ledger.overtakenBy();
+        if (!overtaken.isEmpty()) {
+            conclude(number, Outcome.FAILED, progress.pending().afterBroken(overtaken));
         } else if (!step.source().equals(ledger.place.at().original())) {
             again("the device left " + step.source() + " by itself");
         } else if (ledger.line.holdsDoubt()) {
@@ -264,11 +264,11 @@ final class Conversion {
         return decision instanceof Decision.Impossible || !failures.isEmpty() ? Outcome.FAILED : Outcome.HANDLED;
     }
 
-    private void giveWay(Pending pending, String to) {
+    private void giveWay(Pending pending, String overtaken) {
         if (pending.broken() == null) {
-            again(pending, to);
+            again(pending, overtaken);
         } else {
-            conclude(pending.number(), Outcome.FAILED, pending.afterBroken(to));
+            conclude(pending.number(), Outcome.FAILED, pending.afterBroken(overtaken));
         }
     }
 

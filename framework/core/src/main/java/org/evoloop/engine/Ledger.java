@@ -103,7 +103,7 @@ final class Ledger {
      * Why the occurrence in progress has to make way for an urgent event, for people; empty if there is none, or the new
      * model would not take it where it is.
      */
-    String makesWay() {
+    String overtakenBy() {
         Pending urgent = progress.isIdle() || isUrgent(progress.pending()) ? null : nextUrgent();
         return urgent == null ? "" : "overtaken by " + urgent.occurrence().label() + ", which is urgent";
     }

@@ -20,7 +20,7 @@ final class Recovery {
         Decision decision = ledger.progress.decision();
         Transition transition = decision == null ? null : decision.transition();
         Step failed = ledger.progress.step();
-        boolean mayGoOn = ledger.open && ledger.makesWay().isEmpty();
+        boolean mayGoOn = ledger.open && ledger.overtakenBy().isEmpty();
         if (decision == null || transition == null || failed == null || !mayGoOn) {
             return null;
         }
