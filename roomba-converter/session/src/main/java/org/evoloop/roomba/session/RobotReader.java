@@ -12,6 +12,7 @@ import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.oi.StreamFramer;
 import org.evoloop.roomba.session.connection.Connection;
+import org.evoloop.roomba.session.connection.ConnectionOptions;
 import org.evoloop.roomba.session.connection.ConnectionOwner;
 import org.evoloop.roomba.session.connection.FirstBytes;
 import org.evoloop.roomba.session.inference.ActivityEstimate;
@@ -67,8 +68,8 @@ final class RobotReader implements ConnectionOwner {
         this.clock = clock;
         this.modeOffset = new ModeOffset(options.modeOffset());
         this.filter = new FrameFilter(modeOffset);
-        Connection.Options wanted =
-                new Connection.Options(RoombaSession.STREAM, options.silenceLimit(), options.mayWait());
+        ConnectionOptions wanted =
+                new ConnectionOptions(RoombaSession.STREAM, options.silenceLimit(), options.mayWait());
         this.connection = new Connection(cable, clock, wanted, this);
         this.control = new Control(connection, estimate);
         this.undocking = new Undocking(connection::trySend, estimate);

@@ -81,18 +81,8 @@ public final class Connection {
     private long askedNanos;
     private long pulsedNanos;
 
-    /**
-     * The options of a connection.
-     *
-     * @param stream the packets that the robot is to send
-     * @param silenceLimit the time without a frame after which the robot counts as unreachable, in the clock's time;
-     *     time in which this program was held up does not count
-     * @param mayWait false if the caller controls the time: then no thread is created
-     */
-    public record Options(List<PacketId> stream, Duration silenceLimit, boolean mayWait) {}
-
     /** @param cable opens a new link to the robot at a baud rate; called again whenever the link was lost */
-    public Connection(IntFunction<Link> cable, Clock clock, Options options, ConnectionOwner owner) {
+    public Connection(IntFunction<Link> cable, Clock clock, ConnectionOptions options, ConnectionOwner owner) {
         this.plug = new Plug(cable);
         this.clock = clock;
         this.silence = new Silence(clock);
