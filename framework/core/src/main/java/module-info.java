@@ -18,7 +18,6 @@ module org.evoloop.core {
     exports org.evoloop.engine.codec to
             org.evoloop.journal,
             org.evoloop.models,
-            org.evoloop.mqtt,
             org.evoloop.page;
     exports org.evoloop.evolution;
     exports org.evoloop.function;

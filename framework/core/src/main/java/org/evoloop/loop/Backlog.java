@@ -15,6 +15,8 @@ import org.jspecify.annotations.Nullable;
 final class Backlog<O> implements Intake<O> {
     private final int capacity;
     private final ArrayDeque<O> waiting = new ArrayDeque<>();
+    // The length of the queue for those who hold no lock. It may be out of date by one: an occurrence that is dropped
+    // here could just as well have come a moment earlier.
     private final AtomicInteger size = new AtomicInteger();
     private final AtomicLong dropped = new AtomicLong();
     private final AtomicBoolean dropping = new AtomicBoolean();
@@ -54,6 +56,8 @@ final class Backlog<O> implements Intake<O> {
 
     private Admission drop() {
         dropped.incrementAndGet();
+        // Read before it is written: all monitors come here while the queue is full, and a write by each would slow
+        // them down.
         boolean first = !dropping.get() && dropping.compareAndSet(false, true);
         return first ? Admission.FIRST_DROPPED : Admission.DROPPED;
     }

@@ -317,6 +317,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     @Override
     public void close() {
         if (ownsCurrentThread()) {
+            // The end waits for this very thread.
             Threads.start("mapek-" + config.name() + "-close", this::end);
         } else {
             end();
@@ -326,6 +327,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     private void end() {
         synchronized (admin) {
             if (sequencer.state() != LoopState.EXITED) {
+                // First the state, then the wait: nothing new may begin while the last occurrence ends.
                 gate.become(LoopState.EXITED);
                 gate.quietly(roster::retire);
                 roster.threads().forEach(this::awaitEnd);

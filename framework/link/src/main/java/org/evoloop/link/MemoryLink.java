@@ -19,6 +19,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class MemoryLink implements Link {
     private final String description;
+    // One lock for both ends: with one each, two ends that send at once would wait for each other.
     private final Object cable;
     private final WakeLine wakeLine;
     private final MemoryLink peer;

@@ -156,6 +156,7 @@ public final class SerialLink implements Link {
 
     /** Ends the link. Returns the first cause, which is the given one unless the link has already ended. */
     private LinkException end(LinkException cause) {
+        // The first cause stands: what a thread sees afterwards, such as a read that returns nothing, follows from it.
         LinkException first = end.compareAndExchange(null, cause);
         if (first != null) {
             return first;
@@ -167,6 +168,8 @@ public final class SerialLink implements Link {
 
     @Override
     public void close() {
+        // Only the first caller ends the writer; the others wait below, since the port may only be closed when nobody
+        // reads.
         if (closing.compareAndSet(false, true)) {
             writer.finish();
             writer.awaitSilence(LONGEST_SILENCE_WAIT_NANOS, nanos -> released.await(nanos, NANOSECONDS));

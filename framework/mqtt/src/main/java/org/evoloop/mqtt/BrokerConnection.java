@@ -146,6 +146,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
             while (!closing) {
                 connectAndServe();
                 if (!closing) {
+                    // Ends at once with close(), which must not wait for the pause.
                     closed.await(attempts.pause().toMillis(), TimeUnit.MILLISECONDS);
                 }
             }
@@ -172,6 +173,8 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
             if (downSince == null) {
                 downSince = Instant.now();
             }
+            // After the session is gone from the field: a command put now sees that the connection is down and is not
+            // kept.
             outbox.discardCommands();
             outbox.wake();
             whenLost.forEach(Runnable::run);
@@ -188,6 +191,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
                     LOG.warn("{}; the topic is {}", denied, next.topic());
                 }
             } catch (BrokerException | InterruptedException failure) {
+                // It may have reached the broker: a state may be published twice, and an event, but a command never.
                 outbox.giveBack(next);
                 throw failure;
             }
@@ -222,6 +226,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
     private void receive(Message message) {
         List<Consumer<Message>> all;
         synchronized (this) {
+            // Handed over without the lock: a consumer may publish, and may even close the connection.
             all = List.copyOf(consumers.getOrDefault(message.topic(), new ArrayDeque<>()));
         }
         if (!closing) {
@@ -270,6 +275,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
         if (running == null) {
             return;
         }
+        // Up, it is given time to publish what waits; down, it may be in the middle of a long attempt to connect.
         if (!isUp()) {
             running.interrupt();
         }

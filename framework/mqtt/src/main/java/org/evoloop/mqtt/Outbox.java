@@ -39,6 +39,7 @@ final class Outbox {
                 lose("there are states of more than " + MOST_TOPICS + " topics");
                 return;
             }
+            // A state that changes again before its turn keeps its place: only the newest is published.
             if (!message.equals(states.put(message.topic(), message))) {
                 due.add(message.topic());
             }
@@ -93,6 +94,7 @@ final class Outbox {
         if (first.hasNext()) {
             String topic = first.next();
             first.remove();
+            // The newest one, looked up now and not when the topic became due.
             return states.get(topic);
         }
         losing = false;

@@ -150,6 +150,8 @@ final class Broadcast {
     synchronized void join() {
         if (viewers++ == 0) {
             recent.clear();
+            // Listening comes first: an event that ends between the two lines is in the history as well, and not in
+            // neither.
             converter.addListener(listener);
             List<HistoryEntry> before = converter.history();
             last = before.isEmpty() ? 0 : before.get(before.size() - 1).number();
@@ -177,6 +179,7 @@ final class Broadcast {
      */
     synchronized Update after(long seen, long seenEvent) throws InterruptedException {
         while (newest.number() <= seen) {
+            // Each viewer waits for itself, and the first whose time is up makes the update for all.
             long left = (news ? PAUSE_NANOS : LOOK_NANOS) - (clock.nanoTime() - newestNanos);
             if (left > 0) {
                 wait(left / 1_000_000, (int) (left % 1_000_000));

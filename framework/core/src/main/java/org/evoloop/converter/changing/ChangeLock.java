@@ -51,6 +51,7 @@ final class ChangeLock {
 
     /** Waits for a change in progress, on any thread, and refuses the changes that wait for their turn. */
     void close(Runnable closing) {
+        // Before the lock is taken, so that those who wait for it inside a call of the converter give up.
         this.closing = true;
         lock.lock();
         runAndRelease(closing);
@@ -66,6 +67,7 @@ final class ChangeLock {
             change.run();
         } finally {
             lock.unlock();
+            // A change may be made within another one; what runs afterwards may take the lock itself.
             if (!lock.isHeldByCurrentThread()) {
                 afterwards.run();
             }
@@ -74,6 +76,7 @@ final class ChangeLock {
 
     private void acquireUnlessClosing() {
         try {
+            // Not lock(): the thread that closes holds the lock, and may be waiting for this one to end.
             while (!lock.tryLock(LOOK_MILLIS, TimeUnit.MILLISECONDS)) {
                 if (closing) {
                     throw refused("it is being closed");

@@ -129,6 +129,7 @@ public final class FailureLog {
             leaveOut();
         } else if (isToBeSaidNow()) {
             if (threads) {
+                // A thread for as long as there is something to say; the queue it empties is bounded.
                 Threads.start("mapek-log", this::saySoon);
             } else {
                 saySoon();
@@ -199,6 +200,7 @@ public final class FailureLog {
     }
 
     private void leaveOut() {
+        // Neither the clock nor the log is called under the lock: both may be slow.
         boolean isFirst;
         synchronized (this) {
             isFirst = leftOut++ == 0;

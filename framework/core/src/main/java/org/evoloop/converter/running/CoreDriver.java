@@ -56,6 +56,7 @@ public final class CoreDriver implements DecisionHost {
     private final @Nullable ConverterJournal journal;
     private final SentryFeed sentryFeed;
 
+    // Written under the lock, and read without it: a reader may see the models of before a change, never half of both.
     private volatile Rules rules;
 
     private volatile @Nullable Decision decided;
@@ -120,6 +121,7 @@ public final class CoreDriver implements DecisionHost {
         if (pending == null || pending.occurrence() != occurrence) {
             return null;
         }
+        // Guards are user code, so they are asked outside the lock, about the record as it was under it.
         Decision made = resumed != null
                 ? resumed
                 : rules.decide(now, steps, pending, knowledge.bindings().with(occurrence.values()));
@@ -175,6 +177,7 @@ public final class CoreDriver implements DecisionHost {
      * @throws EvolutionException if that is not possible; nothing has changed
      */
     synchronized Output.Evolved evolve(Swap swap, StateKnowledge next, Duration idle) {
+        // From here to the end under one hold of the lock: no event can begin between the check and the change.
         Duration quiet = Duration.ofNanos(clock.nanoTime() - endedNanos);
         if (!idle.isZero() && (core.waiting() > 0 || quiet.compareTo(idle) < 0)) {
             throw new EvolutionException("it has not been idle for " + idle.toSeconds() + " s");
@@ -234,6 +237,7 @@ public final class CoreDriver implements DecisionHost {
 
     /** Waits until an event has ended, for at most {@code millis}. */
     public synchronized void awaitEnded(long millis) throws InterruptedException {
+        // Counted, not a flag: an event may end, and the next begin, before this thread has the lock again.
         long before = ends;
         for (long waited = 0; ends == before && waited < millis; waited += WAIT_MILLIS) {
             wait(WAIT_MILLIS);
@@ -285,6 +289,7 @@ public final class CoreDriver implements DecisionHost {
                 return entries.subList(Math.max(0, entries.size() - count), entries.size());
             }
         }
+        // Outside the lock: reading the files may take long, and events must not wait for it.
         History past = new History(clock, count);
         kept.replay(
                 rules,

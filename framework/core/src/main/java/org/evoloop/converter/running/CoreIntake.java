@@ -38,6 +38,7 @@ final class CoreIntake implements Intake<Occurrence> {
     public Admission offer(Occurrence occurrence) {
         synchronized (driver) {
             requireNow(occurrence);
+            // The core answers by its outputs, within the call below; the lock keeps the answers of two monitors apart.
             outputs.admission = Admission.TAKEN;
             if (core.isOpen() || occurrence.isFact()) {
                 sentryFeed.comes(occurrence, core.at());
@@ -64,6 +65,7 @@ final class CoreIntake implements Intake<Occurrence> {
     @Override
     public @Nullable Occurrence next() {
         synchronized (driver) {
+            // A component that was given up may still hold the last agenda; with nobody's turn it finds nothing to do.
             outputs.begun = null;
             outputs.agenda.begin(Agenda.NOBODY);
             inputs.ready();
@@ -83,6 +85,7 @@ final class CoreIntake implements Intake<Occurrence> {
     public void ended() {
         synchronized (driver) {
             Pending pending = outputs.begun;
+            // No component has told the core how it ended, and the core would wait for that for ever.
             if (pending != null && core.isBusy()) {
                 inputs.dismissed(pending.number(), clock.nanoTime());
             }

@@ -65,6 +65,9 @@ final class PlanExecutor implements ExecuteAccess.Host {
 
     @Override
     public void carryOut(Occurrence occurrence, Decision plan, ExecuteAccess execute) throws Exception {
+        // This thread keeps its agenda. When it is given up, that agenda is ended and the others get a new one, so that
+        // it
+        // finds nothing to do whenever it returns.
         Agenda agenda = takeUp(occurrence, plan);
         long number = agenda.turn();
         Throwable notSettled = null;
@@ -146,6 +149,7 @@ final class PlanExecutor implements ExecuteAccess.Host {
         if (!driver.rules().table().isOpen(step, knowledge.bindings().with(values))) {
             throw new IllegalStateException("the guards of the original model do not let " + step + " be taken now");
         }
+        // Announced before it is sent: after a crash between the two the step is in doubt, and not forgotten.
         if (announce(number, execute)) {
             try {
                 execute.send(step);
@@ -175,6 +179,8 @@ final class PlanExecutor implements ExecuteAccess.Host {
     private boolean announce(long number, ExecuteAccess execute) {
         synchronized (driver) {
             inputs.sending(number);
+            // Asked in the same hold of the lock: a report that the device has moved comes before or after, not in
+            // between.
             boolean may = driver.core.maySend(number);
             if (may) {
                 execute.setSending(number);
@@ -204,6 +210,7 @@ final class PlanExecutor implements ExecuteAccess.Host {
             if (number == 0) {
                 return false;
             }
+            // Asked before the core hears of it: afterwards the step may not be sent in any case.
             boolean late = !driver.core.maySend(number);
             inputs.sent(number, inOrder, clock.nanoTime());
             return late && driver.core.hasNext();
@@ -223,6 +230,7 @@ final class PlanExecutor implements ExecuteAccess.Host {
 
     /** Returns what went wrong. The device has already obeyed, so the other effects are still run. */
     private String run(String effect, Occurrence occurrence, ExecuteAccess execute) throws InterruptedException {
+        // For status, which reads it while the effect hangs.
         runningEffect = effect;
         WorkEvent work = WorkEvent.begun();
         try {

@@ -91,8 +91,10 @@ public final class FunctionRunner {
         if (ending == null) {
             return;
         }
+        // First the visit, then its thread: a function that is interrupted must find that it is not active any more.
         ending.end();
         Thread own = threadOf(ending);
+        // A function that closes its converter comes here itself, and cannot wait for its own end.
         if (own != null && own != Thread.currentThread()) {
             own.interrupt();
             if (!Threads.join(own, joinLimit)) {

@@ -36,6 +36,8 @@ public final class HostedVisit implements Visit {
     private final long number;
     private final Values values;
     private final VisitHost host;
+    // Guards the fields below that are not volatile. Never held while user code runs, which may wait for a thread that
+    // needs it.
     private final Object lock = new Object();
     private volatile boolean ended;
 
@@ -60,6 +62,7 @@ public final class HostedVisit implements Visit {
         public void run() {
             synchronized (lock) {
                 if (timers != null) {
+                    // Before the task: it may set the next appointment, which must find room.
                     timers.remove(this);
                 }
             }
@@ -191,6 +194,7 @@ public final class HostedVisit implements Visit {
         if (!isActive()) {
             outcome.complete(new EventOutcome.Stale("the state has been left"));
         } else if (asking.compareAndSet(null, asked)) {
+            // Free for the next question before the future completes: what hangs on it may ask at once.
             host.ask(this, asked, requireNonNull(carried, "the values are null"), ended -> {
                 asking.set(null);
                 outcome.complete(ended);
@@ -239,6 +243,7 @@ public final class HostedVisit implements Visit {
             }
             finished = true;
             last = ending;
+            // Delivered when the function returns: now, the loop would leave the state and interrupt it half-way.
             if (running) {
                 return;
             }
@@ -301,6 +306,7 @@ public final class HostedVisit implements Visit {
             VisitTasks made = tasks == null ? new VisitTasks(this, host) : tasks;
             tasks = made;
             if (ended) {
+                // The visit ended while the task was on its way here: nobody else would end this thread.
                 made.end();
             }
             return made;
@@ -328,6 +334,7 @@ public final class HostedVisit implements Visit {
             }
             Appointment appointment = new Appointment(task);
             all.add(appointment);
+            // Under the lock, so that end() finds the timer that it has to cancel.
             appointment.timer = host.clock().schedule(delay, appointment);
         }
     }
@@ -389,6 +396,7 @@ public final class HostedVisit implements Visit {
         Last ending;
         synchronized (lock) {
             ending = last;
+            // Taken out, so that of two threads that come here one delivers it.
             last = null;
         }
         if (ending != null && isActive()) {
@@ -406,6 +414,7 @@ public final class HostedVisit implements Visit {
         synchronized (lock) {
             ended = true;
             lock.notifyAll();
+            // Only taken here: cancelling and the endings may take long, and run without the lock.
             toCancel = timers;
             timers = null;
             toEnd = tasks;

@@ -43,6 +43,7 @@ final class VisitTasks {
     /** Runs {@code task}, which must not throw; on the clock's thread. */
     void run(Runnable task) {
         Thread own = thread();
+        // A task that moves a manual clock is here on its own thread, which would wait for itself.
         if (own == Thread.currentThread()) {
             task.run();
             return;
@@ -87,6 +88,7 @@ final class VisitTasks {
                 // The visit is over, or a task interrupted itself; the condition above distinguishes the two.
             }
         }
+        // The clock's thread may be waiting for one of these.
         due.forEach(left -> left.over().countDown());
     }
 

@@ -281,6 +281,7 @@ final class RobotReader implements ConnectionOwner {
      */
     synchronized @Nullable EstimatedActivity known(long since) {
         Telemetry now = latest;
+        // The frame that was on its way when the command was sent shows the robot as it was before.
         if (now == null || now.frame() <= since || !effect.isOver() || control.isRegaining()) {
             return null;
         }
