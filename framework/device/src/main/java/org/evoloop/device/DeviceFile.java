@@ -127,7 +127,7 @@ public final class DeviceFile {
         return Optional.ofNullable(properties);
     }
 
-    /** The guards, to be attached once. */
+    /** The guards, to be attached before a converter is built. */
     Guards guards() {
         return guards;
     }

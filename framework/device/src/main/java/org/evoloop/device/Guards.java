@@ -21,11 +21,11 @@ import org.jspecify.annotations.Nullable;
  * The guards of a device file: by the time of day, by a reading, or by a value of the event. None holds before {@link
  * #attach}, and one about a reading that is not known does not hold.
  *
- * <p>Threading: attached once, before the converter is built; evaluated by any thread.
+ * <p>Threading: attached before the converter is built; evaluated by any thread.
  */
 final class Guards {
     private final Map<String, Predicate<Values>> byText = new LinkedHashMap<>();
-    private final List<DeviceLink> links = new ArrayList<>();
+    private List<DeviceLink> links = List.of();
     private @Nullable Clock clock;
 
     private Guards() {}
@@ -62,7 +62,8 @@ final class Guards {
         return value -> value > above && value < below;
     }
 
-    private static Double number(String text) {
+    /** A number in a file. */
+    static Double number(String text) {
         if (!text.matches("[+-]?[0-9]{1,15}(\\.[0-9]{1,15})?")) {
             throw new IllegalArgumentException("'" + text + "' is no number");
         }
@@ -114,7 +115,7 @@ final class Guards {
     /** From now on they hold or not by this clock and the readings of these links. */
     void attach(Clock its, List<DeviceLink> known) {
         clock = its;
-        links.addAll(known);
+        links = List.copyOf(known);
     }
 
     Map<String, Predicate<Values>> all() {

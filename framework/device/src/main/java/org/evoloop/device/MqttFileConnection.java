@@ -39,6 +39,7 @@ final class MqttFileConnection extends Connection {
     private final Map<String, Message> messages = new LinkedHashMap<>();
     private final List<StateRule> states = new ArrayList<>();
     private boolean sends;
+    private boolean infers;
     private volatile @Nullable BrokerConnection opened;
 
     private record StateRule(String topic, Meanings states) {}
@@ -133,6 +134,7 @@ final class MqttFileConnection extends Connection {
     public void state(Section rule) {
         String topic = topicOf(rule);
         Meanings meanings = MeaningReader.read(rule, "state", models::deviceState);
+        infers |= rule.flag("infer-events").orElse(false);
         if (topic != null) {
             states.add(new StateRule(topic, meanings));
             rules.add(monitor -> monitor.found(topic, meanings));
@@ -227,6 +229,9 @@ final class MqttFileConnection extends Connection {
         settings.forEach(each -> each.accept(device));
         MqttMonitor monitor = new MqttMonitor(name(), device);
         rules.forEach(each -> each.accept(monitor));
+        if (infers) {
+            monitor.inferring(converter);
+        }
         List<MqttExecute> executes = new ArrayList<>();
         if (!messages.isEmpty()) {
             MqttExecute execute = new MqttExecute(name() + "Execute", device, messages);

@@ -1,11 +1,20 @@
 package org.evoloop.device;
 
+import java.time.Duration;
+import java.time.LocalTime;
+import java.time.ZoneId;
+import java.time.ZonedDateTime;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import org.evoloop.converter.DeviceLink;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
+import org.evoloop.function.Reading;
 import org.evoloop.testkit.ConverterHarness;
 import org.evoloop.testkit.SimulatedDevice;
+import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -47,11 +56,21 @@ public record Scenario(String name, List<Line> steps) {
     public static final class Running {
         private final ConverterHarness converter;
         private final SimulatedDevice device;
+        private final ManualClock clock;
+        private final Told told;
         private int seen;
 
-        Running(ConverterHarness converter, SimulatedDevice device) {
+        Running(ConverterHarness converter, SimulatedDevice device, ManualClock clock, Told told) {
             this.converter = converter;
             this.device = device;
+            this.clock = clock;
+            this.told = told;
+        }
+
+        private void awaitTime(LocalTime time) {
+            ZonedDateTime now = clock.wallTime().atZone(ZoneId.systemDefault());
+            ZonedDateTime next = now.with(time);
+            converter.advance(Duration.between(now, next.isAfter(now) ? next : next.plusDays(1)));
         }
 
         private List<String> sent() {
@@ -63,6 +82,26 @@ public record Scenario(String name, List<Line> steps) {
 
         private String evolved() {
             return converter.status().states().evolved().name();
+        }
+    }
+
+    /** The readings that a scenario gives. */
+    private static final class Told implements DeviceLink {
+        private final Map<String, Reading> readings = new LinkedHashMap<>();
+
+        @Override
+        public boolean isUp() {
+            return true;
+        }
+
+        @Override
+        public List<Reading> readings() {
+            return List.copyOf(readings.values());
+        }
+
+        @Override
+        public String describe() {
+            return "the readings of a scenario";
         }
     }
 
@@ -85,6 +124,17 @@ public record Scenario(String name, List<Line> steps) {
 
     private static @Nullable Action action(Section step, FileModels models) {
         List<Action> actions = new ArrayList<>();
+        if (step.has("readings")) {
+            step.pairs("readings").forEach((name, text) -> {
+                try {
+                    Reading reading = Reading.of(name.value(), Guards.number(text.value()), "");
+                    actions.add(running -> running.told.readings.put(reading.name(), reading));
+                } catch (IllegalArgumentException wrong) {
+                    step.problems().at(text, String.valueOf(wrong.getMessage()));
+                }
+            });
+        }
+        step.value("until", Section::timeOfDay).ifPresent(time -> actions.add(running -> running.awaitTime(time)));
         step.text("press").ifPresent(event -> {
             models.known(event);
             actions.add(running -> running.converter.press(event.value()));
@@ -109,7 +159,8 @@ public record Scenario(String name, List<Line> steps) {
             actions.add(running -> require("device-state", state.value(), running.device.state()));
         });
         if (actions.isEmpty()) {
-            step.problem(step.name() + " needs one of press, device, after, sent, state, device-state");
+            step.problem(
+                    step.name() + " needs one of readings, until, press, device, after, sent, state, device-state");
             return null;
         }
         return running -> actions.forEach(each -> each.perform(running));
@@ -128,9 +179,14 @@ public record Scenario(String name, List<Line> steps) {
      */
     public String run(DeviceFile file) {
         SimulatedDevice device = file.simulated();
-        try (ConverterHarness converter =
-                ConverterHarness.of(file.knowledge(file.models())).with(device).start()) {
-            Running running = new Running(converter, device);
+        ManualClock clock = new ManualClock();
+        Told told = new Told();
+        file.guards().attach(clock, List.of(told));
+        try (ConverterHarness converter = ConverterHarness.of(file.knowledge(file.models()))
+                .with(device)
+                .clock(clock)
+                .start()) {
+            Running running = new Running(converter, device, clock, told);
             for (Line step : steps) {
                 try {
                     step.action().perform(running);

@@ -165,6 +165,37 @@ class DeviceFileTest {
     }
 
     @Test
+    void aScenarioSetsTheReadingsAndTheTimeOfDayThatGuardsAskFor() throws IOException {
+        Files.writeString(
+                folder.resolve("fan.md"),
+                MODELS.replace(
+                        "    Low --> Breeze",
+                        "    Off --> High : cool [warm]\n    Off --> Low : air [at noon]\n    Low --> Breeze"));
+        DeviceFile fan = read(FAN.replaceAll("(?s)scenarios:.*", "")
+                        .replace("button breeze: breeze", "button breeze: breeze, cool: cool, air: air")
+                + """
+                guards:
+                  warm: {reading: temperature, above: 25}
+                  at noon: {between: ['12:00', '13:00']}
+                scenarios:
+                  it is cooled when it is warm:
+                    - {press: cool, sent: []}
+                    - {readings: {temperature: 25}, press: cool, sent: []}
+                    - {readings: {temperature: 25.5}, press: cool, sent: [power, speed]}
+                  it is aired at noon:
+                    - {until: '11:59', press: air, sent: []}
+                    - {until: '12:00', press: air, sent: [power]}
+                  each scenario has its own readings:
+                    - {press: cool, sent: []}
+                """);
+        assertThat(fan.scenarios()).extracting(scenario -> scenario.run(fan)).containsExactly("", "", "");
+        assertThat(mistakes(FAN.replace("{after: 7 s,", "{readings: {temperature: warm}, until: noon,")))
+                .containsExactly(
+                        "fan.yaml:21: 'warm' is no number",
+                        "fan.yaml:21: until: 'noon' is no time of day; write it as 07:30");
+    }
+
+    @Test
     void withoutModelsEachEventIsALoop() throws IOException {
         DeviceFile wired = read("""
                 converter: fan

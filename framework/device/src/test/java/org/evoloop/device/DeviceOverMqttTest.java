@@ -107,6 +107,31 @@ class DeviceOverMqttTest {
     }
 
     @Test
+    void aStateToWhichOneEventOfTheDevicesOwnLeadsIsThatEvent() throws Exception {
+        try (Mosquitto broker = new Mosquitto(folder).start();
+                Watcher watcher = new Watcher(broker)) {
+            Files.writeString(
+                    folder.resolve("heater.md"),
+                    MODELS.replace(
+                            "    Warm --> Off : power\n",
+                            "    Warm --> Off : power\n    Hot --> Warm : «spontaneous» cools\n"));
+            Path file = Files.writeString(
+                    folder.resolve("heater.yaml"),
+                    HEATER.replace("BROKER", broker.url()).replace("hot: Hot}}", "hot: Hot}, infer-events: true}"));
+            watcher.publish("heater", "{\"mode\":\"hot\"}", true);
+            CompletableFuture<Integer> status = console.run(file, "--start");
+            console.awaitHistory("-> (Hot, Hot)");
+
+            watcher.publish("heater", "{\"mode\":\"warm\"}", true);
+            console.awaitHistory("cools (device, the device acted)  (Hot, Hot) -> (Warm, Warm)");
+            // Nothing of its own leads there, so it has been found there.
+            watcher.publish("heater", "{\"mode\":\"off\"}", true);
+            console.awaitHistory("(Warm, Warm) -> (Off, Off)");
+            console.exit(status);
+        }
+    }
+
+    @Test
     void eachOfTheRulesOnATopicConfirmsAndWhatMustBeSteadyDoesSoWhenItIs() throws Exception {
         String rules =
                 "[{json: /mode, values: {off: \"Off\"}}, {json: /watt, ranges: {Warm: 100..500, Hot: 500..}, steady: 50 ms}]";

@@ -15,16 +15,13 @@ import org.evoloop.converter.ConverterStatus;
 import org.evoloop.converter.DeviceLink;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.SystemEventConverter;
-import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.function.Reading;
+import org.evoloop.payload.Inference;
 import org.evoloop.payload.Meanings;
 import org.evoloop.payload.Meanings.Meaning;
 import org.evoloop.payload.Part;
 import org.evoloop.payload.Readings;
 import org.evoloop.payload.Steady;
-import org.evoloop.statemachine.Event;
-import org.evoloop.statemachine.State;
-import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
@@ -64,6 +61,7 @@ public class HttpPoll extends PushMonitor implements DeviceLink, AutoCloseable {
     private Meanings states = Meanings.NONE;
     private @Nullable Steady steady;
     private ReentrantLock turn = new ReentrantLock();
+    private final Inference inference;
     private boolean inferring;
     private @Nullable Thread thread;
     private boolean closed;
@@ -110,6 +108,7 @@ public class HttpPoll extends PushMonitor implements DeviceLink, AutoCloseable {
             throw new IllegalArgumentException("no device can be asked without a pause; give " + name + " one");
         }
         this.converter = converter;
+        this.inference = new Inference(converter, () -> devicesOwn);
         this.question = question;
         this.every = Clock.requireDelay(every);
         this.caller = new Caller(limit);
@@ -218,27 +217,10 @@ public class HttpPoll extends PushMonitor implements DeviceLink, AutoCloseable {
 
     private void locate(String state) {
         ConverterStatus status = converter.status();
-        State record = status.states().original();
-        boolean certain = status.doubt().isEmpty();
-        if (!certain || !record.name().equals(state)) {
-            Optional<Event> event = certain && inferring ? onlyWay(record, new State(state)) : Optional.empty();
-            push(event.map(own -> fromDevice(own.name())).orElseGet(() -> foundIn(state)));
+        if (!status.doubt().isEmpty() || !status.states().original().name().equals(state)) {
+            Optional<String> event = inferring ? inference.eventTo(state) : Optional.empty();
+            push(event.map(this::fromDevice).orElseGet(() -> foundIn(state)));
         }
-    }
-
-    /** The only event of the device's own that leads from one state to another; empty if there are several, or none. */
-    private Optional<Event> onlyWay(State from, State to) {
-        StateMachine original = converter.knowledge().models().original();
-        Set<Event> own = new LinkedHashSet<>(
-                new DeviceEvents(Set.of(), Set.of()).declaredBy(original).spontaneous());
-        devicesOwn.forEach(name -> own.add(new Event(name)));
-        List<Event> ways = original.transitionsFrom(from).stream()
-                .filter(transition -> transition.target().equals(to))
-                .map(transition -> transition.event().trigger())
-                .filter(own::contains)
-                .distinct()
-                .toList();
-        return ways.size() == 1 ? Optional.of(ways.get(0)) : Optional.empty();
     }
 
     @Override

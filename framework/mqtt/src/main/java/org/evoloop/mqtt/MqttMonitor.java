@@ -4,8 +4,11 @@ import java.time.Duration;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.evoloop.converter.PushMonitor;
+import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.payload.Inference;
 import org.evoloop.payload.Meanings;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
@@ -34,6 +37,7 @@ public class MqttMonitor extends PushMonitor {
     private final TopicRules rules;
     private final Set<String> devicesOwn = new LinkedHashSet<>();
     private @Nullable Fence fence;
+    private @Nullable Inference inference;
 
     /** How many of the events that a bypass has passed on have been reported to the converter. */
     private int received;
@@ -100,7 +104,27 @@ public class MqttMonitor extends PushMonitor {
 
     /** As {@link #found(String, Map)}, with JSON and patterns. */
     public final MqttMonitor found(String topic, Meanings states) {
-        rules.add(topic, states, TopicRules.Use.STATE, state -> push(foundIn(state.name())));
+        rules.add(topic, states, TopicRules.Use.STATE, state -> locate(state.name()));
+        return this;
+    }
+
+    private void locate(String state) {
+        Inference explains = inference;
+        Optional<String> event = explains == null ? Optional.empty() : explains.eventTo(state);
+        push(event.map(this::fromDevice).orElseGet(() -> foundIn(state)));
+    }
+
+    /**
+     * Declares that a changed state is the device's own event if exactly one leads there from the state in which the
+     * converter believes the device to be, and no event is being handled. Other changes remain findings.
+     *
+     * @param converter the converter to which this monitor will be added
+     * @param more events that the device takes by itself, such as those of its own buttons, beside those that its model
+     *     declares to be its own
+     */
+    public final MqttMonitor inferring(SystemEventConverter converter, String... more) {
+        devicesOwn.addAll(List.of(more));
+        inference = new Inference(converter, () -> devicesOwn);
         return this;
     }
 
