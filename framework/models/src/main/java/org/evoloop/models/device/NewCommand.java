@@ -15,6 +15,8 @@ import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.evoloop.console.Console;
+import org.evoloop.statemachine.Names;
+import org.evoloop.xmi.ModelFiles;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -61,12 +63,40 @@ final class NewCommand implements Callable<Integer> {
             description = "The events that the device takes; the first switches it on and off (default: power).")
     private @Nullable List<String> events;
 
+    @Option(
+            names = "--from",
+            paramLabel = "DEVICE",
+            description = "Copies one of the devices that come with Evoloop, such as fan.")
+    private @Nullable String from;
+
     @Override
     public Integer call() throws IOException {
         String name = String.valueOf(folder.getFileName());
         require(
                 name.matches("[A-Za-z0-9][A-Za-z0-9._-]*"),
                 "'" + name + "' is no name for a folder; use letters, digits and -");
+        if (Files.exists(folder)) {
+            throw new FileAlreadyExistsException(folder + " exists already; give another name");
+        }
+        if (from == null) {
+            ask(name);
+        } else {
+            require(
+                    connection == null && address == null && events == null,
+                    "--from copies what is there; leave --connection, --address and --events out");
+            copy(from, name);
+        }
+        spec.commandLine()
+                .getOut()
+                .println("wrote " + folder.resolve(name + ".yaml") + " and " + folder.resolve("README.md"));
+        spec.commandLine()
+                .getErr()
+                .println("next: evoloop check " + folder.resolve(name + ".yaml") + ", then evoloop run "
+                        + folder.resolve(name + ".yaml") + " --simulate");
+        return 0;
+    }
+
+    private void ask(String name) throws IOException {
         String kind = asked(connection, "How is it connected? " + String.join(", ", ADDRESSES.keySet()), "lines");
         String usual = ADDRESSES.get(kind);
         require(usual != null, "--connection is '" + kind + "'; there is " + String.join(", ", ADDRESSES.keySet()));
@@ -84,20 +114,38 @@ final class NewCommand implements Callable<Integer> {
                     event.matches("[A-Za-z_][A-Za-z0-9_]*"),
                     "'" + event + "' is no name of an event; use letters and digits");
         }
-        if (Files.exists(folder)) {
-            throw new FileAlreadyExistsException(folder + " exists already; give another name");
-        }
         Files.createDirectory(folder);
         Files.writeString(folder.resolve(name + ".yaml"), file(name, kind, at, taken));
         Files.writeString(folder.resolve("README.md"), drawings(name, taken));
-        spec.commandLine()
-                .getOut()
-                .println("wrote " + folder.resolve(name + ".yaml") + " and " + folder.resolve("README.md"));
-        spec.commandLine()
-                .getErr()
-                .println("next: evoloop check " + folder.resolve(name + ".yaml") + ", then evoloop run "
-                        + folder.resolve(name + ".yaml") + " --simulate");
-        return 0;
+    }
+
+    /** Copies the folder of a device; its commands name the new folder then. */
+    private void copy(String device, String name) throws IOException {
+        Path devices = ModelFiles.find("devices/fan/fan.yaml", NewCommand.class)
+                .resolveSibling("..")
+                .normalize();
+        List<Path> all;
+        try (Stream<Path> listed = Files.list(devices)) {
+            all = listed.filter(Files::isDirectory).sorted().toList();
+        }
+        List<String> names =
+                all.stream().map(path -> path.getFileName().toString()).toList();
+        require(names.contains(device), "there is no device '" + device + "'" + Names.hint(device, names));
+        List<Path> files;
+        try (Stream<Path> listed = Files.list(devices.resolve(device))) {
+            files = listed.filter(Files::isRegularFile).sorted().toList();
+        }
+        Files.createDirectory(folder);
+        for (Path file : files) {
+            boolean isDeviceFile = file.endsWith(device + ".yaml");
+            String text = Files.readString(file)
+                    .replace("devices/" + device + "/" + device + ".yaml", folder + "/" + name + ".yaml")
+                    .replace("devices/" + device + "/", folder + "/");
+            Files.writeString(
+                    folder.resolve(
+                            isDeviceFile ? name + ".yaml" : file.getFileName().toString()),
+                    isDeviceFile ? text.replaceFirst("(?m)^converter: .*$", "converter: " + name) : text);
+        }
     }
 
     private void require(boolean good, String otherwise) {

@@ -32,12 +32,14 @@ class DeviceCommandsTest {
     void redirect() {
         System.setOut(new PrintStream(printed, true, StandardCharsets.UTF_8));
         System.setErr(new PrintStream(errors, true, StandardCharsets.UTF_8));
+        System.setProperty("evoloop.home", System.getProperty("evoloop.root", "../.."));
     }
 
     @AfterEach
     void restore() {
         System.setOut(out);
         System.setErr(err);
+        System.clearProperty("evoloop.home");
     }
 
     private int run(String... arguments) {
@@ -70,6 +72,42 @@ class DeviceCommandsTest {
         assertThat(models).containsExactly(List.of("check", heater + "/README.md#original", heater + "/README.md#new"));
         assertThat(run("new", heater.toString())).isEqualTo(2);
         assertThat(errors()).contains("exists already; give another name");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "air-conditioner",
+                "fan",
+                "light-bulb",
+                "roller-shutter",
+                "valetudo",
+                "washing-machine",
+                "wifi-roomba",
+                "zigbee-bulb"
+            })
+    void aCopiedDevicePassesItsCheckUnderItsNewName(String device) throws IOException {
+        Path mine = folder.resolve("mine");
+        assertThat(run("new", mine.toString(), "--from", device)).as(errors()).isZero();
+        assertThat(mine.resolve("README.md")).isRegularFile();
+        assertThat(mine.resolve("mine.yaml"))
+                .content()
+                .contains("converter: mine\n")
+                .doesNotContain("devices/" + device);
+        assertThat(run("check", mine.resolve("mine.yaml").toString()))
+                .as(errors() + printed())
+                .isZero();
+        assertThat(printed()).contains("passed: ").doesNotContain("FAILED");
+    }
+
+    @Test
+    void onlyADeviceThatIsThereCanBeCopiedAndNothingIsAskedOfIt() {
+        String mine = folder.resolve("mine").toString();
+        assertThat(run("new", mine, "--from", "zigbee-bull")).isEqualTo(2);
+        assertThat(errors()).contains("there is no device 'zigbee-bull'; did you mean zigbee-bulb?");
+        assertThat(run("new", mine, "--from", "fan", "--connection", "mqtt")).isEqualTo(2);
+        assertThat(errors()).contains("leave --connection, --address and --events out");
+        assertThat(folder.resolve("mine")).doesNotExist();
     }
 
     @Test
