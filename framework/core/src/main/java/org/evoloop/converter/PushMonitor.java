@@ -24,7 +24,9 @@ import org.slf4j.LoggerFactory;
  * @since 0.1
  */
 public class PushMonitor extends EventMonitor {
-    private static final Logger LOG = LoggerFactory.getLogger(SystemEventConverter.class);
+    /** All of the converter logs under one name. */
+    private static final Logger LOG = LoggerFactory.getLogger("org.evoloop.converter.SystemEventConverter");
+
     private static final int MOST_KEPT = 1024;
     private static final long LOOK_NANOS = 100_000;
 
