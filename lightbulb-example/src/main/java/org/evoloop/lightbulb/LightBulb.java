@@ -7,6 +7,7 @@ import java.util.Set;
 import org.evoloop.config.Option;
 import org.evoloop.config.Settings;
 import org.evoloop.console.Console;
+import org.evoloop.console.ConsoleCommand;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
@@ -43,7 +44,7 @@ public final class LightBulb {
         setup.converter().addMonitor(wallSwitch);
         setup.converter().addExecute(execute());
         setup.knowledge(this::knowledge);
-        setup.command("switch", "operates the wall switch", (words, out) -> wallSwitch.press("switch"));
+        setup.command(ConsoleCommand.press("switch", "operates the wall switch", wallSwitch, words -> "switch"));
         setup.onOpen(() -> open(setup));
     }
 

@@ -195,10 +195,11 @@ final class RoombaCommand {
         if (guard != null) {
             roomba.converter().addLink(guard.watch(roomba.session()));
         }
-        setup.command(ConsoleCommand.of(
+        setup.command(ConsoleCommand.press(
                         "press BUTTON",
                         "presses a button of the external controller: " + String.join(", ", buttons(roomba)),
-                        (arguments, out) -> roomba.controller().press(event(roomba.models(), arguments.get(0))))
+                        roomba.controller(),
+                        arguments -> event(roomba.models(), arguments.get(0)))
                 .completing(before -> before.isEmpty() ? buttons(roomba) : List.of()));
         setup.evolvesBy(new OtherModels(roomba));
         if (simulated != null) {

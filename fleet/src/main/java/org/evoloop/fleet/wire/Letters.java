@@ -5,7 +5,6 @@ import java.util.List;
 import org.evoloop.engine.Output;
 import org.evoloop.engine.Snapshot;
 import org.evoloop.evolution.Occurrence;
-import org.evoloop.evolution.Outcome;
 import org.evoloop.fleet.device.DeviceListener;
 import org.evoloop.fleet.device.DeviceState;
 import org.evoloop.fleet.device.Order;
@@ -68,7 +67,7 @@ public final class Letters implements DeviceListener {
     private void judge(Output.Ended ended) {
         boolean diverged = ended.occurrence() instanceof Occurrence.Found
                 && !ended.before().equals(ended.after());
-        if (ended.outcome() == Outcome.FAILED || diverged) {
+        if (ended.outcome().isIncomplete() || diverged) {
             bad++;
         } else {
             good++;

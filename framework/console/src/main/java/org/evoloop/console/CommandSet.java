@@ -64,24 +64,31 @@ final class CommandSet {
     /**
      * Performs the command in {@code line}; an empty line does nothing.
      *
+     * @param waiting whether a press waits for its outcome if the line does not say
      * @throws IllegalArgumentException if there is no such command, or it takes other arguments
      * @throws Exception whatever the command throws
      */
-    void perform(String line, PrintStream out) throws Exception {
-        perform(split(line), out);
+    void perform(String line, PrintStream out, boolean waiting) throws Exception {
+        perform(split(line), out, waiting);
     }
 
     /** As the other method, for a line that has been split into words. */
-    void perform(List<String> words, PrintStream out) throws Exception {
+    void perform(List<String> words, PrintStream out, boolean waiting) throws Exception {
         if (!words.isEmpty()) {
             ConsoleCommand command = require(words.get(0));
             List<String> arguments = words.subList(1, words.size());
-            if (!command.accepts(arguments.size())) {
+            PressAction press = command.action() instanceof PressAction pressing ? pressing : null;
+            if (!command.accepts((press == null ? arguments : PressAction.named(arguments)).size())) {
                 throw new IllegalArgumentException("usage: " + command.usage());
             }
             ByteArrayOutputStream results = new ByteArrayOutputStream();
             try {
-                command.action().run(arguments, new PrintStream(results, true, StandardCharsets.UTF_8));
+                PrintStream into = new PrintStream(results, true, StandardCharsets.UTF_8);
+                if (press == null) {
+                    command.action().run(arguments, into);
+                } else {
+                    press.run(arguments, into, waiting);
+                }
             } finally {
                 // In one piece, since other threads print meanwhile.
                 out.print(results.toString(StandardCharsets.UTF_8));

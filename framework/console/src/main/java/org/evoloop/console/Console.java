@@ -118,7 +118,7 @@ public final class Console {
         commands.add(ConsoleCommand.of(
                         name + " COMMAND [ARGUMENT] [ARGUMENT]",
                         "controls the converter " + name + ": " + String.join(", ", own.names()),
-                        own::perform)
+                        (words, results) -> own.perform(words, results, false))
                 .completing(own::completions));
         others.push(other);
     }
@@ -156,12 +156,11 @@ public final class Console {
      * @throws IllegalArgumentException if there is one of that name
      */
     public void addCommand(ConsoleCommand command) {
-        commands.add(new ConsoleCommand(
-                command.usage(),
-                command.help(),
-                (arguments, results) -> inTurn(command, arguments, results),
-                command.completion(),
-                command.offered()));
+        ConsoleCommand.Action action = command.action() instanceof PressAction
+                ? command.action()
+                : (arguments, results) -> inTurn(command, arguments, results);
+        commands.add(
+                new ConsoleCommand(command.usage(), command.help(), action, command.completion(), command.offered()));
         added.add(command);
     }
 
@@ -257,8 +256,18 @@ public final class Console {
      * @throws InterruptedException if the thread was interrupted
      */
     public int perform(String line, PrintStream results, PrintStream errors) throws InterruptedException {
+        return perform(line, results, errors, false);
+    }
+
+    /** As {@link #perform}, for somebody who wants to know the outcome of a press: that is waited for. */
+    public int performAndWait(String line, PrintStream results, PrintStream errors) throws InterruptedException {
+        return perform(line, results, errors, true);
+    }
+
+    private int perform(String line, PrintStream results, PrintStream errors, boolean waiting)
+            throws InterruptedException {
         try {
-            commands.perform(line, results);
+            commands.perform(line, results, waiting);
             return 0;
         } catch (InterruptedException stop) {
             throw stop;

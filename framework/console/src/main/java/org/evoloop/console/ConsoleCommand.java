@@ -6,14 +6,15 @@ import java.util.Collection;
 import java.util.List;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import org.evoloop.converter.PushMonitor;
 import org.evoloop.statemachine.Names;
 
 /**
  * A command of a {@link Console}.
  *
  * <pre>{@code
- * ConsoleCommand.of("press BUTTON", "presses a button of the robot", (arguments, out) -> panel.press(arguments.get(0)))
- *         .completing(before -> List.of("clean", "spot"));
+ * ConsoleCommand.of("level PERCENT", "sets the brightness", (arguments, out) -> lamp.level(arguments.get(0)))
+ *         .completing(before -> List.of("50", "100"));
  * }</pre>
  *
  * <p>Threading: immutable; its action is called on the console's thread or another, one at a time for all
@@ -76,6 +77,34 @@ public record ConsoleCommand(
                         (arguments, out) -> action.run(
                                 named(arguments.get(0), names.get()), arguments.subList(1, arguments.size())))
                 .completing(before -> before.isEmpty() ? typed(names.get()) : List.of());
+    }
+
+    /** The command {@code press EVENT}: raises an event of the controller; see the method with a usage. */
+    public static ConsoleCommand press(PushMonitor controller, Supplier<? extends Collection<?>> events) {
+        return press(
+                        "press EVENT",
+                        "an event of the controller",
+                        controller,
+                        arguments -> named(arguments.get(0), events.get()))
+                .completing(before -> before.isEmpty() ? typed(events.get()) : waiting(1, before));
+    }
+
+    /**
+     * A command that raises an event of the controller: as {@link PushMonitor#press(String)}. With the option {@code
+     * --wait}, which the usage does not name, it waits for the outcome, prints it, and fails unless the event was handled;
+     * {@code ctl} waits unless {@code --no-wait} is given. Presses do not wait for other commands.
+     *
+     * @param event the event that these arguments name
+     */
+    public static ConsoleCommand press(
+            String usage, String help, PushMonitor controller, Function<List<String>, String> event) {
+        int arguments = usage.split(" +").length - 1;
+        return of(usage, help + "\n" + PressAction.HELP, new PressAction(controller, event))
+                .completing(before -> waiting(arguments, before));
+    }
+
+    private static List<String> waiting(int arguments, List<String> before) {
+        return before.size() == arguments ? List.of(PressAction.WAIT) : List.of();
     }
 
     private static String named(String typed, Collection<?> names) {

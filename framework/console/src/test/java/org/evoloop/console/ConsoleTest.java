@@ -68,6 +68,36 @@ class ConsoleTest {
     }
 
     @Test
+    void aPressThatWaitsTellsItsOutcomeAndHoldsUpNobody() throws Exception {
+        Console console = console(input());
+        console.addCommand(ConsoleCommand.press(lamp.wallSwitch, lamp.converter::controllerEvents));
+        lamp.converter.start();
+        FutureTask<Integer> waiting =
+                new FutureTask<>(() -> console.performAndWait("press switch", out.stream, err.stream));
+        Thread waits = new Thread(waiting);
+        waits.start();
+        while (lamp.converter.status().queue().depth() == 0) {
+            Thread.onSpinWait();
+        }
+        assertThat(console.perform("press switch", out.stream, err.stream)).isZero();
+        assertThat(console.performAndWait("press switch --no-wait", out.stream, err.stream))
+                .isZero();
+        assertThat(out.lines()).isEmpty();
+        // It is another command of the application, and takes the steps, too.
+        assertThat(console.perform("switch", out.stream, err.stream)).isZero();
+        assertThat(waiting.get()).isZero();
+        assertThat(out.lines()).containsExactly("handled: on, sent switch");
+        assertThat(console.perform("press", out.stream, err.stream)).isEqualTo(2);
+        assertThat(console.perform("press --wait", out.stream, err.stream)).isEqualTo(2);
+        assertThat(console.perform("press timeout --wait", out.stream, err.stream))
+                .isEqualTo(2);
+        lamp.converter.stop();
+        assertThat(console.perform("press switch --wait", out.stream, err.stream))
+                .isEqualTo(1);
+        assertThat(err.lines()).last().isEqualTo("error: refused: the converter lamp is stopped; start it first");
+    }
+
+    @Test
     void statusAsJsonIsOneLineWithEveryKey() {
         run("start", "status --json");
 

@@ -6,9 +6,9 @@ import static org.evoloop.Machines.machine;
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -18,19 +18,16 @@ import org.evoloop.converter.HistoryEntry;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
-import org.evoloop.converter.UnknownEffectException;
+import org.evoloop.evolution.EventOutcome;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Outcome;
-import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Step;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.LoopState;
-import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
+import org.evoloop.time.ManualClock;
 import org.evoloop.time.SystemClock;
-import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -55,7 +52,6 @@ class TwoConvertersTest {
             "Blinking switch -> Off");
 
     private final Lamp lamp = new Lamp();
-    private final Reports reports = new Reports();
     private final PushMonitor lowerEvents = new PushMonitor("LowerEvents");
     private final PushMonitor remote = new PushMonitor("Remote");
     private final SystemClock lowerClock = new SystemClock();
@@ -69,11 +65,8 @@ class TwoConvertersTest {
         lower.addKnowledge(new Knowledge(new ModelPair(LAMP, WARM), "Warm"));
         lower.build();
 
-        Lower below = new Lower();
-        lower.addListener(below);
         upper.addMonitor(remote);
-        upper.addMonitor(reports);
-        upper.addExecute(below);
+        upper.addDevice(lower.asDevice());
         upper.addKnowledge(new Knowledge(new ModelPair(WARM, PARTY), "Blinking"));
         upper.build();
     }
@@ -93,76 +86,6 @@ class TwoConvertersTest {
                 throw new IllegalStateException("the lamp is loose");
             }
             sent.add(step.trigger().name());
-        }
-    }
-
-    /**
-     * The lower converter as the upper one's device. What becomes of the events that it is sent, and where it goes by
-     * itself, is reported on the thread of its listeners: in the order in which it happened there.
-     */
-    private final class Lower extends EventExecute implements ConverterListener {
-        private final BlockingQueue<HistoryEntry> answers = new LinkedBlockingQueue<>();
-        private volatile @Nullable Occurrence asked;
-
-        @Override
-        protected Set<String> sendableEvents() {
-            return Set.of("switch", "dim");
-        }
-
-        @Override
-        protected void send(Step step) throws Exception {
-            Occurrence event = new Occurrence.Heard(
-                    step.trigger(),
-                    values(),
-                    Source.CONTROLLER,
-                    Occurrence.ANY_VISIT,
-                    lower.clock().nanoTime());
-            answers.clear();
-            asked = event;
-            if (!lower.offer(event)) {
-                throw new IllegalStateException("the lower converter does not take " + step.trigger());
-            }
-            HistoryEntry answer = answers.poll(20, TimeUnit.SECONDS);
-            if (answer == null) {
-                throw new UnknownEffectException("the lower converter has not dealt with " + step.trigger());
-            }
-            if (!hasObeyed(answer)) {
-                throw new IllegalStateException("the lower converter did not obey: " + answer.detail());
-            }
-        }
-
-        @Override
-        public void ended(HistoryEntry entry) {
-            if (!entry.occurrence().equals(asked)) {
-                if (hasMoved(entry)) {
-                    reports.found(entry.after().evolved());
-                }
-                return;
-            }
-            if (hasObeyed(entry)) {
-                tookEffect();
-            }
-            answers.add(entry);
-        }
-
-        private boolean hasObeyed(HistoryEntry entry) {
-            return entry.outcome() == Outcome.HANDLED || hasMoved(entry);
-        }
-
-        private boolean hasMoved(HistoryEntry entry) {
-            return !entry.before().evolved().equals(entry.after().evolved());
-        }
-
-        @Override
-        protected Optional<String> locate() {
-            return Optional.of(lower.knowledge().getCurrentState().name());
-        }
-    }
-
-    /** Tells the upper converter where the lower one went by itself. */
-    private static final class Reports extends PushMonitor {
-        void found(State state) {
-            push(foundIn(state.name()));
         }
     }
 
@@ -226,12 +149,12 @@ class TwoConvertersTest {
         remote.press("party");
         HistoryEntry failed = next(ended);
         assertThat(failed.outcome()).isEqualTo(Outcome.FAILED);
-        assertThat(failed.detail()).contains("the lower converter did not obey").contains("the lamp is loose");
+        assertThat(failed.detail()).contains("lower did not obey").contains("the lamp is loose");
         assertThat(upper.knowledge().configuration()).hasToString("(Off, Off)");
 
         lower.stop();
         remote.press("switch");
-        assertThat(next(ended).detail()).contains("the lower converter does not take switch");
+        assertThat(next(ended).detail()).contains("lower does not take switch; is it started?");
     }
 
     @Test
@@ -246,6 +169,40 @@ class TwoConvertersTest {
         assertThat(upper.knowledge().configuration()).hasToString("(Off, Off)");
         assertThat(lower.knowledge().configuration()).hasToString("(Off, Off)");
         assertThat(lamp.sent).containsExactly("switch", "switch");
+    }
+
+    @Test
+    void withoutThreadsTheUpperOneTakesTheStepsOfTheLowerOne() throws InterruptedException {
+        ManualClock clock = new ManualClock();
+        PushMonitor control = new PushMonitor("Remote");
+        PushMonitor own = new PushMonitor("Own");
+        Lamp bulb = new Lamp();
+        try (SystemEventConverter below = new SystemEventConverter(
+                        LoopConfig.defaults("below", clock).withoutThreads());
+                SystemEventConverter above = new SystemEventConverter(
+                        LoopConfig.defaults("above", clock).withoutThreads())) {
+            below.addMonitor(own);
+            below.addExecute(bulb);
+            below.addKnowledge(new Knowledge(new ModelPair(LAMP, WARM), "Warm"));
+            below.build();
+            above.addMonitor(control);
+            above.addDevice(below.asDevice());
+            above.addKnowledge(new Knowledge(new ModelPair(WARM, PARTY), "Blinking"));
+            above.build();
+            below.start();
+            above.start();
+
+            CompletableFuture<EventOutcome> party = control.submit("party");
+            assertThat(above.step()).isTrue();
+            assertThat(party.join()).hasToString("handled: Warm, sent switch, dim");
+            assertThat(below.knowledge().configuration()).hasToString("(On, Warm)");
+
+            own.press("switch");
+            assertThat(below.step()).isTrue();
+            assertThat(above.step()).isTrue();
+            assertThat(above.knowledge().configuration()).hasToString("(Off, Off)");
+            assertThat(bulb.sent).containsExactly("switch", "switch");
+        }
     }
 
     @Test

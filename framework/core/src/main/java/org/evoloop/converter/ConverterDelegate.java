@@ -77,6 +77,8 @@ public interface ConverterDelegate {
 
     Clock clock();
 
+    boolean hasThreads();
+
     StateKnowledge knowledge();
 
     Set<Event> sendableEvents();

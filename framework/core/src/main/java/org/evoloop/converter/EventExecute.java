@@ -2,6 +2,7 @@ package org.evoloop.converter;
 
 import static java.util.Objects.requireNonNull;
 
+import java.time.Duration;
 import java.util.Collections;
 import java.util.HashSet;
 import java.util.Optional;
@@ -17,8 +18,10 @@ import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;
 import org.evoloop.loop.Execute;
+import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
+import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -39,6 +42,7 @@ public abstract class EventExecute extends Execute<ChangePlan> {
     private volatile @Nullable Set<Event> events;
     private volatile Values values = Values.NONE;
     private volatile ExecuteAccess.@Nullable Host host;
+    private volatile @Nullable LoopConfig config;
 
     /** A component named after its class. */
     protected EventExecute() {}
@@ -131,6 +135,36 @@ public abstract class EventExecute extends Execute<ChangePlan> {
     }
 
     /**
+     * The converter's clock.
+     *
+     * @throws IllegalStateException if this component is not part of a converter yet
+     */
+    protected final Clock clock() {
+        return config().clock();
+    }
+
+    /**
+     * Waits for {@code duration} of the converter's time, such as until the device is ready for the next event. Without
+     * threads it returns at once: who takes the steps moves the clock.
+     *
+     * @throws InterruptedException if the thread is interrupted first
+     * @throws IllegalStateException as {@link #clock}
+     */
+    protected final void sleep(Duration duration) throws InterruptedException {
+        if (config().threads()) {
+            clock().sleep(duration);
+        }
+    }
+
+    private LoopConfig config() {
+        LoopConfig attached = config;
+        if (attached == null) {
+            throw new IllegalStateException(name() + " is not part of a converter yet, so it has no clock");
+        }
+        return attached;
+    }
+
+    /**
      * Asks the device for its state after the record came into doubt: a component was given up while sending, or does
      * not know whether the event it sent had its effect ({@link UnknownEffectException}), or the device acted by itself
      * while a step was on its way. Events wait meanwhile, up to the loop's step limit.
@@ -180,7 +214,8 @@ public abstract class EventExecute extends Execute<ChangePlan> {
         }
 
         @Override
-        public void attach(ExecuteAccess.Host joined) {
+        public void attach(ExecuteAccess.Host joined, LoopConfig loopConfig) {
+            config = loopConfig;
             host = joined;
         }
 

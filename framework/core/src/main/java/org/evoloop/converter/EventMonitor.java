@@ -126,14 +126,10 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         return joined != null && joined.state() != LoopState.NEW && !joined.has(this);
     }
 
-    /** Reports to a loop without threads, on the caller's thread; false if there is none yet. */
-    final boolean hand(Occurrence occurrence) {
+    /** Whether it is part of a converter that has been built, and not closed. */
+    final boolean isBuilt() {
         MapeLoop<Occurrence, ?, ?> joined = loop;
-        if (joined == null || joined.state() == LoopState.NEW) {
-            return false;
-        }
-        joined.offer(occurrence);
-        return true;
+        return joined != null && joined.state() != LoopState.NEW && joined.has(this);
     }
 
     /**
@@ -157,13 +153,13 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         }
     }
 
-    /** Has {@code submission} told how {@code pressed}, which is not reported yet, ends. */
-    final void await(Occurrence pressed, Submission submission) {
+    /** Who tells how {@code pressed} ends. */
+    final Endings endings(Occurrence pressed) {
         Endings told = endings;
         if (told == null) {
             throw notPart(pressed);
         }
-        told.await(pressed, submission::ended);
+        return told;
     }
 
     /** Says that {@code pressed} is lost because there is no converter. */
@@ -175,23 +171,21 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     /** The loop's answer to {@code pressed} if it is given at once, whatever was reported before; null if it is not. */
     final @Nullable Admission answerAtOnce(Occurrence pressed) {
         MapeLoop<Occurrence, ?, ?> joined = loop;
-        boolean isDueLater =
-                joined == null || (hasThread() ? joined.state() != LoopState.NEW : joined.state() == LoopState.RUNNING);
-        return joined == null || isDueLater ? null : joined.admit(pressed);
+        return joined == null || joined.state() != LoopState.NEW ? null : joined.admit(pressed);
     }
 
-    /** Why the loop has not taken {@code pressed}; empty if it has. */
-    final String whyNotTaken(Occurrence pressed, Admission admission) {
-        String event = pressed.label();
+    /**
+     * Why the loop has not taken an event; empty if it has.
+     *
+     * @param so what that means for the event, such as {@code ", so up is lost"}
+     */
+    final String whyNotTaken(Admission admission, String so) {
         String why = switch (admission) {
             case TAKEN -> "";
             case FIRST_DROPPED, DROPPED ->
-                " has a full queue, so " + event + " is dropped; try again when it has handled the events that wait";
-            case NOT_RECORDED -> " cannot write its journal, so " + event + " is refused; make room on its disk";
-            case REFUSED ->
-                isDetached()
-                        ? " is closed, so " + event + " is refused"
-                        : " is stopped, so " + event + " is refused; start it first";
+                " has a full queue" + so + "; try again when it has handled the events that wait";
+            case NOT_RECORDED -> " cannot write its journal" + so + "; make room on its disk";
+            case REFUSED -> isDetached() ? " is closed" + so : " is stopped" + so + "; start it first";
         };
         return why.isEmpty() ? "" : converter() + why;
     }

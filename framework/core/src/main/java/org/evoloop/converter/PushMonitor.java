@@ -24,7 +24,9 @@ import org.slf4j.LoggerFactory;
  * @since 0.1
  */
 public class PushMonitor extends EventMonitor {
-    private static final Logger LOG = LoggerFactory.getLogger(SystemEventConverter.class);
+    /** All of the converter logs under one name. */
+    private static final Logger LOG = LoggerFactory.getLogger("org.evoloop.converter.SystemEventConverter");
+
     private static final int MOST_KEPT = 1024;
     private static final long LOOK_NANOS = 100_000;
 
@@ -60,7 +62,8 @@ public class PushMonitor extends EventMonitor {
     public final void press(String event, Values values) {
         Occurrence pressed = pressed(event, values);
         Admission admission = reported(pressed);
-        String why = admission == null ? "" : whyNotTaken(pressed, admission);
+        String so = ", so " + pressed.label() + (isFull(admission) ? " is dropped" : " is refused");
+        String why = admission == null ? "" : whyNotTaken(admission, so);
         if (!why.isEmpty()) {
             throw new IllegalStateException(why);
         }
@@ -85,16 +88,19 @@ public class PushMonitor extends EventMonitor {
     public final CompletableFuture<EventOutcome> submit(String event, Values values) {
         Occurrence pressed = pressed(event, values);
         Submission submission = new Submission();
-        await(pressed, submission);
+        endings(pressed).await(pressed, submission::ended);
         Admission admission = reported(pressed);
         if (admission == null || admission == Admission.TAKEN) {
             submission.taken();
         } else {
-            String why = whyNotTaken(pressed, admission);
-            boolean full = admission == Admission.DROPPED || admission == Admission.FIRST_DROPPED;
-            submission.notTaken(full ? new EventOutcome.Dropped(why) : new EventOutcome.Refused(why));
+            String why = whyNotTaken(admission, "");
+            submission.notTaken(isFull(admission) ? new EventOutcome.Dropped(why) : new EventOutcome.Refused(why));
         }
         return submission.outcome;
+    }
+
+    private static boolean isFull(@Nullable Admission admission) {
+        return admission == Admission.DROPPED || admission == Admission.FIRST_DROPPED;
     }
 
     /** Refuses an event that can never be taken. */
@@ -113,7 +119,9 @@ public class PushMonitor extends EventMonitor {
         Admission atOnce = answerAtOnce(pressed);
         Admission admission = atOnce == null ? pass(pressed) : atOnce;
         if (admission == null && hasLeft()) {
-            throw notPart(pressed);
+            IllegalStateException notPart = notPart(pressed);
+            endings(pressed).refused(pressed, String.valueOf(notPart.getMessage()));
+            throw notPart;
         }
         return admission;
     }
@@ -135,6 +143,9 @@ public class PushMonitor extends EventMonitor {
             // Occurrences pushed before the converter was built come first; the monitor's thread is reporting them.
             LockSupport.parkNanos(this, LOOK_NANOS);
         }
+        if (!hasThread()) {
+            reportKept();
+        }
         Admission admission = behind.get() > 0 ? null : report(occurrence);
         if (admission == null) {
             keep(occurrence);
@@ -145,28 +156,39 @@ public class PushMonitor extends EventMonitor {
     private void keep(Occurrence occurrence) {
         synchronized (pushed) {
             if (hasLeft()) {
-                for (Occurrence left = pushed.poll(); left != null; left = pushed.poll()) {
-                    behind.decrementAndGet();
-                }
+                refuseKept();
                 return;
             }
-            if (pushed.size() >= MOST_KEPT) {
-                // The caller that steps a converter without threads may be slow, but loses nothing that the converter
-                // can take.
-                Occurrence oldest = pushed.poll();
-                if (oldest != null) {
-                    behind.decrementAndGet();
-                    if (!hand(evaluated(oldest)) && !losing) {
-                        losing = true;
-                        LOG.warn(
-                                "{} reports more than {} events before its converter is built; the oldest are lost",
-                                name(),
-                                MOST_KEPT);
-                    }
+            if (pushed.size() >= MOST_KEPT && pushed.poll() != null) {
+                behind.decrementAndGet();
+                if (!losing) {
+                    losing = true;
+                    LOG.warn(
+                            "{} reports more than {} events before its converter is built; the oldest are lost",
+                            name(),
+                            MOST_KEPT);
                 }
             }
             behind.incrementAndGet();
             pushed.add(occurrence);
+        }
+    }
+
+    /** Reports what was pushed before a converter without threads was built, so that nothing overtakes it. */
+    private void reportKept() {
+        synchronized (pushed) {
+            while (isBuilt() && !pushed.isEmpty()) {
+                report(evaluated(pushed.remove()));
+                behind.decrementAndGet();
+            }
+        }
+    }
+
+    /** This monitor's part in a converter is over. */
+    private void refuseKept() {
+        for (Occurrence left = pushed.poll(); left != null; left = pushed.poll()) {
+            behind.decrementAndGet();
+            endings(left).refused(left, String.valueOf(notPart(left).getMessage()));
         }
     }
 
@@ -177,8 +199,17 @@ public class PushMonitor extends EventMonitor {
             handingOver = false;
             behind.decrementAndGet();
         }
-        Occurrence next = hasThread() ? pushed.take() : pushed.poll();
-        handingOver = next != null;
-        return next == null ? null : evaluated(next);
+        if (!hasThread()) {
+            reportKept();
+            return null;
+        }
+        try {
+            Occurrence next = pushed.take();
+            handingOver = true;
+            return evaluated(next);
+        } catch (InterruptedException end) {
+            refuseKept();
+            throw end;
+        }
     }
 }

@@ -15,6 +15,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
+import java.util.function.ToIntFunction;
 import org.evoloop.converter.attachment.Friends;
 import org.evoloop.converter.attachment.KnowledgeAccess;
 import org.evoloop.converter.binding.Bindings;
@@ -232,8 +233,7 @@ public class StateKnowledge extends Knowledge {
     }
 
     /**
-     * Raises {@code event} when {@code state} has lasted for {@code delay}. Time triggers written in the model, such as
-     * {@code tm(2s)}, need no call.
+     * Raises {@code event} when {@code state} has lasted for {@code delay}; a drawn {@code tm(2s)} needs no call.
      */
     protected final void timer(String state, String event, Duration delay) {
         requireNonNull(delay, "the delay of " + event + " in " + state + " is null");
@@ -245,12 +245,10 @@ public class StateKnowledge extends Knowledge {
     }
 
     /**
-     * Binds the guard of this text, in either model. It is evaluated on the analyze component's thread when an event
+     * Binds the guard of this text, drawn in brackets in either model. It is evaluated on the analyze component's thread when an event
      * comes that the new model guards with it, on an execute component's thread before an event is sent over a
      * guarded transition of the original model, and on the thread that reports an event which the original model guards
      * with it. If it throws, that event fails; what the device has done by itself counts as if it did not hold.
-     *
-     * @param text as drawn, without brackets
      */
     protected final void guard(String text, BooleanSupplier condition) {
         requireNonNull(condition, "the guard " + text + " is null");
@@ -268,8 +266,6 @@ public class StateKnowledge extends Knowledge {
      * device has obeyed and before the next state is entered. It does not run where the device does it by itself,
      * because a transition of the original model in the plan names it too. If it throws, the event fails, but the
      * transition is taken and its other effects are run.
-     *
-     * @param text as drawn
      */
     protected final void effect(String text, Effect action) {
         requireNonNull(action, "the effect " + text + " is null");
@@ -294,16 +290,23 @@ public class StateKnowledge extends Knowledge {
     }
 
     /**
-     * Keeps plans of several events from passing through {@code state} of the original model; they may begin or end
-     * there.
+     * As {@link #cost(String, int)}, for a cost that depends on the values of the event, or on readings. It is asked when
+     * a request is decided, and the plan is recorded. In a fleet and after a failed step, the fixed cost counts. If it
+     * throws, or is out of range, the event fails.
+     */
+    protected final void cost(String event, ToIntFunction<Values> cost) {
+        bindings.cost(event, requireNonNull(cost, "a cost is null"));
+    }
+
+    /**
+     * Keeps plans of several events from passing through {@code state} of the device; they may begin or end there.
      */
     protected final void doNotPass(String state) {
         bindings.doNotPass(state);
     }
 
     /**
-     * Sets what follows when a step of a plan fails and leaves the device in an intermediate state. By default it stays
-     * there.
+     * Sets what follows when a step of a plan fails and leaves the device in an intermediate state, by default nothing.
      *
      * @param state the state of the new model in which the event comes
      * @param event the event, with its guards, as in {@code press [hot]}, if only that transition is meant

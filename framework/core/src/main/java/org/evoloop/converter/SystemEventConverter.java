@@ -148,6 +148,30 @@ public final class SystemEventConverter implements AutoCloseable {
     }
 
     /**
+     * Adds the components of a device, also while the converter runs.
+     *
+     * @throws IllegalStateException if a name is taken
+     * @throws ModelException as {@link #addExecute}
+     */
+    public void addDevice(DeviceParts device) {
+        addMonitor(device.monitor());
+        addExecute(device.execute());
+    }
+
+    /**
+     * This converter as the device of another one, whose original model is this one's new model. The other one sends the
+     * controller's events of this one; each counts as carried out once this one has handled it. Where this one goes by
+     * itself, the other one hears of as a state in which its device was found. This one is started and closed by its
+     * owner; close the other one first. If it has no threads, the other one takes its steps.
+     *
+     * @throws IllegalStateException if it is not built yet
+     */
+    public DeviceParts asDevice() {
+        LowerConverter lower = new LowerConverter(delegate);
+        return new DeviceParts(lower.reports(), lower);
+    }
+
+    /**
      * Registers a spare for {@link #exchange(String, String)}.
      *
      * @throws IllegalStateException if the name is taken

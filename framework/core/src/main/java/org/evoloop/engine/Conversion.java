@@ -108,7 +108,7 @@ final class Conversion {
         }
         String overtaken = ledger.overtakenBy();
         if (!overtaken.isEmpty()) {
-            conclude(number, Outcome.FAILED, progress.pending().afterBroken(overtaken));
+            conclude(number, Outcome.OVERTAKEN, progress.pending().afterBroken(overtaken));
         } else if (!step.source().equals(ledger.place.at().original())) {
             again("the device left " + step.source() + " by itself");
         } else if (ledger.line.holdsDoubt()) {
@@ -268,7 +268,7 @@ final class Conversion {
         if (pending.broken() == null) {
             again(pending, overtaken);
         } else {
-            conclude(pending.number(), Outcome.FAILED, pending.afterBroken(overtaken));
+            conclude(pending.number(), Outcome.OVERTAKEN, pending.afterBroken(overtaken));
         }
     }
 

@@ -48,7 +48,7 @@ final class Counts {
     }
 
     void end(Outcome outcome) {
-        outcomes[placeOf(outcome)]++;
+        outcomes[placeOf(outcome == Outcome.OVERTAKEN ? Outcome.FAILED : outcome)]++;
     }
 
     Tally tally() {

@@ -105,7 +105,7 @@ final class Ledger {
      */
     String overtakenBy() {
         Pending urgent = progress.isIdle() || isUrgent(progress.pending()) ? null : nextUrgent();
-        return urgent == null ? "" : "overtaken by " + urgent.occurrence().label() + ", which is urgent";
+        return urgent == null ? "" : urgent.occurrence().label() + " came, which is urgent";
     }
 
     private @Nullable Pending nextUrgent() {

@@ -286,6 +286,16 @@ public final class DecisionTable {
     }
 
     /**
+     * {@code usual}, the decision for a request, by the path that is cheapest at these costs; an event that leads on by
+     * itself is sent whatever it costs.
+     *
+     * @throws IllegalArgumentException if a cost is out of range
+     */
+    public synchronized Decision prefer(Decision usual, Map<Event, Integer> costs) {
+        return conversion.prefer(usual, costs);
+    }
+
+    /**
      * The decision for {@code trigger} that a new function sends to the device. {@link Decision.Impossible} also where
      * the state does not {@linkplain org.evoloop.statemachine.StateMachine#sends declare} that its function sends this,
      * and where it would take the device out of the state's device state.

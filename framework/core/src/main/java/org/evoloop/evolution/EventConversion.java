@@ -270,6 +270,28 @@ final class EventConversion {
                 at, at, List.of(), null, "the function of " + asking + " asks for " + trigger + why);
     }
 
+    /** See {@link DecisionTable#prefer}. */
+    Decision prefer(Decision usual, Map<Event, Integer> costs) {
+        Transition transition = usual.transition();
+        boolean leads = usual instanceof Decision.ExistingState || usual instanceof Decision.NewState;
+        List<Step> own = usual.steps().stream().filter(Step::byDevice).toList();
+        List<Step> sent = usual.steps().subList(own.size(), usual.steps().size());
+        if (transition == null || !leads || sent.isEmpty() || isDirect(sent, transition)) {
+            return usual;
+        }
+        Target target = target(transition.target());
+        return new PathPlanner(pair.original(), device.withCosts(costs))
+                .shortestPath(usual.deviceStart(), target.goals())
+                .filter(way -> !way.equals(sent))
+                .map(way -> reaching(usual.before(), own, own, way, transition, target))
+                .orElse(usual);
+    }
+
+    private static boolean isDirect(List<Step> sent, Transition transition) {
+        return sent.size() == 1
+                && sent.get(0).trigger().equals(transition.event().trigger());
+    }
+
     /** See {@link DecisionTable#settle}. */
     Decision settle(Configuration at, List<State> goals) {
         List<Step> way = planner.shortestPath(at.original(), goals).orElse(null);

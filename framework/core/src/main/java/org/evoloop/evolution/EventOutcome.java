@@ -13,6 +13,15 @@ import org.evoloop.statemachine.Event;
  * @since 0.1
  */
 public sealed interface EventOutcome {
+    /**
+     * The kind in lower case, for programs: {@code handled}, {@code not acceptable}, {@code refused}, {@code failed}, {@code
+     * overtaken}, {@code dropped} or {@code stale}.
+     */
+    String kind();
+
+    /** Why it had no effect, or not all of it; empty if it was handled. */
+    String why();
+
     /** Whether it had its effect. */
     default boolean isHandled() {
         return this instanceof Handled;
@@ -32,9 +41,19 @@ public sealed interface EventOutcome {
         }
 
         @Override
+        public String kind() {
+            return "handled";
+        }
+
+        @Override
+        public String why() {
+            return "";
+        }
+
+        @Override
         public String toString() {
             String events = sent.stream().map(Event::toString).collect(Collectors.joining(", "));
-            return "handled: " + to.evolved() + (events.isEmpty() ? "" : ", sent " + events);
+            return kind() + ": " + to.evolved() + (events.isEmpty() ? "" : ", sent " + events);
         }
     }
 
@@ -45,6 +64,11 @@ public sealed interface EventOutcome {
      */
     record NotAcceptable(String why) implements EventOutcome {
         @Override
+        public String kind() {
+            return "not acceptable";
+        }
+
+        @Override
         public String toString() {
             return why;
         }
@@ -53,8 +77,13 @@ public sealed interface EventOutcome {
     /** A rule of the converter does not allow it, or the converter is stopped, or cannot write its journal. */
     record Refused(String why) implements EventOutcome {
         @Override
+        public String kind() {
+            return "refused";
+        }
+
+        @Override
         public String toString() {
-            return "refused: " + why;
+            return kind() + ": " + why;
         }
     }
 
@@ -66,32 +95,52 @@ public sealed interface EventOutcome {
      */
     record Failed(Configuration from, Configuration to, String why) implements EventOutcome {
         @Override
+        public String kind() {
+            return "failed";
+        }
+
+        @Override
         public String toString() {
-            return "failed: " + why;
+            return kind() + ": " + why;
         }
     }
 
-    /** Its plan was overtaken, by an urgent event or by what the device did itself. */
+    /** An urgent event ended its plan. */
     record Overtaken(Configuration from, Configuration to, String why) implements EventOutcome {
         @Override
+        public String kind() {
+            return "overtaken";
+        }
+
+        @Override
         public String toString() {
-            return why;
+            return kind() + ": " + why;
         }
     }
 
     /** The queue was full. */
     record Dropped(String why) implements EventOutcome {
         @Override
+        public String kind() {
+            return "dropped";
+        }
+
+        @Override
         public String toString() {
-            return "dropped: " + why;
+            return kind() + ": " + why;
         }
     }
 
     /** Its turn came too long after it was pressed, or after the state that asked for it had been left. */
     record Stale(String why) implements EventOutcome {
         @Override
+        public String kind() {
+            return "stale";
+        }
+
+        @Override
         public String toString() {
-            return "stale: " + why;
+            return kind() + ": " + why;
         }
     }
 }

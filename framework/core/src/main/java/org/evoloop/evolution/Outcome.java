@@ -18,5 +18,12 @@ public enum Outcome {
     /** It could not be carried out, or not completely. */
     FAILED,
     /** The queue was full. */
-    DROPPED
+    DROPPED,
+    /** An urgent event ended its plan. It counts among those that failed. */
+    OVERTAKEN;
+
+    /** Whether it had its turn, but not its whole effect. */
+    public boolean isIncomplete() {
+        return this == FAILED || this == OVERTAKEN;
+    }
 }

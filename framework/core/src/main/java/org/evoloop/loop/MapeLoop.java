@@ -357,11 +357,10 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     /**
      * Queues an occurrence reported by a monitor of this loop, on the caller's thread instead of the monitor's.
      *
-     * @return null if that has to be left to the monitor: the loop has no threads or is not built yet, or the monitor
-     *     is not part of it
+     * @return null if that has to be left to the monitor: the loop is not built yet, or the monitor is not part of it
      */
     public Intake.@Nullable Admission report(Monitor<O> monitor, O occurrence) {
-        if (!config.threads() || sequencer.state() == LoopState.NEW || roster.workerOf(monitor) == null) {
+        if (sequencer.state() == LoopState.NEW || roster.workerOf(monitor) == null) {
             return null;
         }
         return sequencer.offer(occurrence);

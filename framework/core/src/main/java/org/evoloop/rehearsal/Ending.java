@@ -5,7 +5,6 @@ import java.util.Set;
 import org.evoloop.engine.Output;
 import org.evoloop.evolution.BrokenPlan;
 import org.evoloop.evolution.Decision;
-import org.evoloop.evolution.Outcome;
 import org.evoloop.evolution.Step;
 import org.jspecify.annotations.Nullable;
 
@@ -46,7 +45,7 @@ public record Ending(
             boolean same = next.source().equals(step.source()) && next.trigger().equals(step.trigger());
             return same ? broken.reason() : "";
         }
-        boolean isBroken = ended.outcome() == Outcome.FAILED && ended.decision() == null;
+        boolean isBroken = ended.outcome().isIncomplete() && ended.decision() == null;
         return isBroken && took <= taken ? verdict.why() : "";
     }
 
@@ -60,6 +59,6 @@ public record Ending(
     /** Why an effect of other models fails, since one failed here after the device had obeyed; empty if it succeeds. */
     String effectFailure() {
         boolean obeyed = ended.decision() != null && !(ended.decision() instanceof Decision.Impossible);
-        return obeyed && ended.outcome() == Outcome.FAILED ? ended.detail() : "";
+        return obeyed && ended.outcome().isIncomplete() ? ended.detail() : "";
     }
 }

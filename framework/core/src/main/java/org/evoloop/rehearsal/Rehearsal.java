@@ -13,7 +13,6 @@ import org.evoloop.engine.Snapshot;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
-import org.evoloop.evolution.Outcome;
 import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
@@ -203,7 +202,7 @@ final class Rehearsal extends Chronicle {
             core.planned(number, new Decision.Refused(core.at(), refused.reason()), atNanos);
         } else if (recorded == null || !recorded.undecided()) {
             core.planned(number, decide(pending, recorded == null ? Set.of() : recorded.guards()), atNanos);
-        } else if (recorded.ended().outcome() == Outcome.FAILED) {
+        } else if (recorded.ended().outcome().isIncomplete()) {
             core.failed(number, recorded.ended().detail(), atNanos);
         } else {
             core.dismissed(number, atNanos);

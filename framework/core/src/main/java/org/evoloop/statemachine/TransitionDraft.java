@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A transition that is being drawn, part by part: {@code from("off").on("party").when("dark").to("wild").effect("chime")}.
- * The next {@link #from} begins another, and {@link #build} ends them all.
+ * The next {@link #from} or {@link #on} begins another, and {@link #build} ends them all.
  *
  * <p>Threading: not thread-safe.
  *
@@ -29,11 +29,15 @@ public final class TransitionDraft {
     }
 
     /**
-     * The event that triggers it.
+     * The event that triggers it. If there is one already, another transition begins, which leaves the same state:
+     * {@code from("off").on("press").to("on").on("party").to("wild")}.
      *
      * @param event its name, followed by its guards if it has any, as in {@code press [hot] [full]}
      */
     public TransitionDraft on(String event) {
+        if (trigger != null) {
+            return builder.from(source.name()).on(event);
+        }
         trigger = StateMachineBuilder.drawn(event);
         return this;
     }

@@ -1,6 +1,7 @@
 package org.evoloop.converter;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 import static org.evoloop.converter.Robot.at;
 
 import java.io.IOException;
@@ -226,9 +227,10 @@ class CleaningRobotTest {
     @Test
     void dropsWhatFindsTheQueueFullButNeverWhatTheDeviceDid() throws InterruptedException {
         try (Robot small = new Robot(2)) {
-            for (int presses = 0; presses < 5; presses++) {
-                small.panel.press("Clean");
-                small.converter.observe(small.panel);
+            small.panel.press("Clean");
+            small.panel.press("Clean");
+            for (int lost = 0; lost < 3; lost++) {
+                assertThatIllegalStateException().isThrownBy(() -> small.panel.press("Clean"));
             }
             small.panel.pressed("Clean", true);
             small.converter.observe(small.panel);

@@ -101,9 +101,10 @@ class DeferredEventsTest {
     void howeverManyWaitTheOneThatEndsTheWaitHasAPlace() throws InterruptedException {
         build(evolved(false));
         press("clean");
-        for (int count = 0; count < 9; count++) {
+        for (int count = 0; count < 8; count++) {
             press("grind");
         }
+        assertThatThrownBy(() -> press("grind")).hasMessageContaining("has a full queue");
         assertThat(converter.status().queue().dropped()).as("the ninth").isEqualTo(1);
 
         press("cleaned");

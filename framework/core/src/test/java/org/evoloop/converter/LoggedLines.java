@@ -12,6 +12,7 @@ import org.slf4j.LoggerFactory;
 public final class LoggedLines extends AppenderBase<ILoggingEvent> implements AutoCloseable {
     private final Logger logger;
     private final List<String> lines = new CopyOnWriteArrayList<>();
+    private final List<String> keys = new CopyOnWriteArrayList<>();
 
     public LoggedLines(String name) {
         logger = (Logger) LoggerFactory.getLogger(name);
@@ -26,7 +27,16 @@ public final class LoggedLines extends AppenderBase<ILoggingEvent> implements Au
         String line = event.getFormattedMessage().stripTrailing();
         if (!line.isEmpty()) {
             lines.add(line);
+            keys.add(
+                    event.getKeyValuePairs() == null
+                            ? ""
+                            : event.getKeyValuePairs().toString());
         }
+    }
+
+    /** The key-values of each line. */
+    public List<String> keys() {
+        return keys;
     }
 
     public List<String> lines() {

@@ -24,10 +24,9 @@ class QueueRoomTest {
                 robot.panel.pressed("Clean", true);
                 robot.converter.observe(robot.panel);
             }
-            for (int presses = 0; presses < 3; presses++) {
-                robot.panel.press("Clean");
-                robot.converter.observe(robot.panel);
-            }
+            robot.panel.press("Clean");
+            robot.panel.press("Clean");
+            assertThatIllegalStateException().isThrownBy(() -> robot.panel.press("Clean"));
             assertThat(robot.converter.status().queue().depth()).isEqualTo(102);
             assertThat(robot.converter.status().queue().dropped())
                     .as("the third press")

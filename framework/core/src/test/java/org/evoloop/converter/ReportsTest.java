@@ -1,6 +1,7 @@
 package org.evoloop.converter;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 
 import java.time.Duration;
 import org.evoloop.PaperModels;
@@ -82,9 +83,9 @@ class ReportsTest {
                 LoopConfig.defaults("robot", new ManualClock()).withoutThreads().withQueueCapacity(1);
         try (SystemEventConverter converter = robot(config, NewFunction.none())) {
             for (int burst = 0; burst < 1000; burst++) {
-                for (int press = 0; press < 4; press++) {
-                    panel.press("Clean");
-                    converter.observe(panel);
+                panel.press("Clean");
+                for (int lost = 0; lost < 3; lost++) {
+                    assertThatIllegalStateException().isThrownBy(() -> panel.press("Clean"));
                 }
                 converter.step();
             }

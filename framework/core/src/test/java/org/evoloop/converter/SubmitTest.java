@@ -138,8 +138,7 @@ class SubmitTest {
 
             converter.stop();
             assertThat(panel.submit("up").join())
-                    .isEqualTo(new EventOutcome.Refused(
-                            "the converter lift is stopped, so up is refused; start it first"));
+                    .isEqualTo(new EventOutcome.Refused("the converter lift is stopped; start it first"));
         }
     }
 
@@ -151,6 +150,35 @@ class SubmitTest {
             assertThat(converter.status().events().handled()).isZero();
         }
         assertThat(waiting.join()).isInstanceOf(EventOutcome.Refused.class);
+    }
+
+    @Test
+    void whatAPressAcceptedIsNotDroppedLaterWithoutThreads() throws InterruptedException {
+        try (SystemEventConverter converter = stepped()) {
+            int accepted = 0;
+            for (int press = 0; press < 5_000; press++) {
+                try {
+                    panel.press("up");
+                    accepted++;
+                } catch (IllegalStateException full) {
+                    assertThat(full).hasMessageContaining("has a full queue");
+                }
+            }
+            settle(converter, panel);
+            assertThat(accepted).isEqualTo(1);
+            assertThat(converter.status().events().handled()).isEqualTo(accepted);
+            assertThat(converter.status().queue().dropped()).isEqualTo(4_999);
+        }
+    }
+
+    @Test
+    void whatWaitsBehindAMonitorThatIsRemovedIsRefused() throws Exception {
+        LoopConfig config = LoopConfig.defaults("lift", clock);
+        try (SystemEventConverter converter = start(config, lift)) {
+            converter.remove("Panel");
+            assertThatThrownBy(() -> panel.submit("up")).hasMessageContaining("is not part of a converter");
+            assertThat(converter.status().events().handled()).isZero();
+        }
     }
 
     @Test

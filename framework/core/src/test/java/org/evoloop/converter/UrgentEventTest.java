@@ -100,7 +100,7 @@ class UrgentEventTest {
             assertThat(converter.knowledge().configuration()).hasToString("(G, Alarm)");
             assertThat(converter.history())
                     .extracting(entry -> entry.occurrence().label() + " " + entry.outcome() + " " + entry.detail())
-                    .contains("express FAILED overtaken by fire, which is urgent")
+                    .contains("express OVERTAKEN fire came, which is urgent")
                     .filteredOn(entry -> entry.startsWith("fire"))
                     .containsExactly("fire HANDLED new function of Alarm");
         }

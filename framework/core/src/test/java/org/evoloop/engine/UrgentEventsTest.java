@@ -42,7 +42,7 @@ class UrgentEventsTest {
     void endsAPlanBetweenTwoStepsAndIsDecidedFromWhereTheDeviceIs() {
         lift.press("express").begins().press("fire").sent(true).sending();
         assertThat(lift.core.isBusy()).isFalse();
-        assertThat(endings(lift)).containsExactly("express FAILED overtaken by fire, which is urgent");
+        assertThat(endings(lift)).containsExactly("express OVERTAKEN fire came, which is urgent");
 
         arrives(lift);
         assertThat(sent(lift)).containsExactly("up", "down");
@@ -105,8 +105,7 @@ class UrgentEventsTest {
         recovering.press("express").begins().sent(true).sending();
         recovering.input(new Input.Failed(recovering.number(), "jammed", 9)).press("fire");
         recovering.ready().planned();
-        assertThat(endings(recovering))
-                .containsExactly("express FAILED jammed; then overtaken by fire, which is urgent");
+        assertThat(endings(recovering)).containsExactly("express OVERTAKEN jammed; then fire came, which is urgent");
     }
 
     @Test

@@ -285,6 +285,8 @@ class StateMachineTest {
                 .to("wild")
                 .effect("chime")
                 .effect("flash")
+                .on("press")
+                .to("on")
                 .from("wild")
                 .on("party [late]")
                 .stays()
@@ -296,6 +298,7 @@ class StateMachineTest {
                 .extracting(transition -> transition + " " + transition.effects() + " " + transition.internal())
                 .containsExactly(
                         "off --party [dark]--> wild [chime, flash] false",
+                        "off --press--> on [] false",
                         "wild --party [late]--> wild [] true",
                         "wild --stop--> off [] false");
     }

@@ -5,8 +5,11 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import org.evoloop.converter.PushMonitor;
+import org.evoloop.evolution.EventOutcome;
 import org.evoloop.evolution.Values;
 import org.jspecify.annotations.Nullable;
 
@@ -22,9 +25,11 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>It accepts requests only from this machine, unless {@link #listenOn} is used. Query parameters are the event's
  * values, as numbers if they look like numbers. So is the body, as a text named {@code body}, of at most 4096 bytes.
- * The answer is 204, or 409 with the reason while the converter is stopped. At most eight requests are handled at a
- * time; further ones are disconnected, and so are clients that have not sent everything within 10 s. Requests from
- * pages of other sites are refused.
+ * The answer to the controller's requests is the outcome of the event in words, with the status 200 if it was handled, 409
+ * if not, and 202 if that is not known after 10 s; a request with the header {@code Prefer: respond-async} is answered
+ * with 202 once the event waits. The answer to the device's requests, and where a fleet decides, is 204. At most 32 requests are handled at a time;
+ * further ones are disconnected, and so are clients that have not sent everything within 10 s. Requests from pages of
+ * other sites are refused.
  *
  * <p>Lifecycle: set all requests, then {@link #open}; {@link #close}.
  *
@@ -34,7 +39,8 @@ import org.jspecify.annotations.Nullable;
  */
 public class HttpMonitor extends PushMonitor implements AutoCloseable {
     private final int port;
-    private final Map<String, Consumer<Values>> requests = new LinkedHashMap<>();
+    private final Map<String, Function<Values, @Nullable CompletableFuture<EventOutcome>>> requests =
+            new LinkedHashMap<>();
     private final Set<String> devicesOwn = new LinkedHashSet<>();
     private Door door = Door.loopback();
     private @Nullable RequestServer server;
@@ -69,21 +75,37 @@ public class HttpMonitor extends PushMonitor implements AutoCloseable {
      * @throws IllegalArgumentException if it is something else, or was set before
      */
     public final HttpMonitor controller(String request, String event) {
-        return on(request, values -> press(event, values));
+        return on(request, values -> pressed(event, values));
     }
 
     /** Sets the request that reports that the device has done something by itself; see {@link #controller}. */
     public final HttpMonitor device(String request, String event) {
         devicesOwn.add(event);
-        return on(request, values -> push(fromDevice(event, values)));
+        return reporting(request, values -> push(fromDevice(event, values)));
     }
 
     /** Sets the request that reports that the device is in this state of its model; see {@link #controller}. */
     public final HttpMonitor found(String request, String state) {
-        return on(request, values -> push(foundIn(state)));
+        return reporting(request, values -> push(foundIn(state)));
     }
 
-    private HttpMonitor on(String request, Consumer<Values> handler) {
+    private @Nullable CompletableFuture<EventOutcome> pressed(String event, Values values) {
+        try {
+            return submit(event, values);
+        } catch (UnsupportedOperationException decidedElsewhere) {
+            press(event, values);
+            return null;
+        }
+    }
+
+    private HttpMonitor reporting(String request, Consumer<Values> report) {
+        return on(request, values -> {
+            report.accept(values);
+            return null;
+        });
+    }
+
+    private HttpMonitor on(String request, Function<Values, @Nullable CompletableFuture<EventOutcome>> handler) {
         if (!request.matches("[A-Z]+ /\\S*") || requests.putIfAbsent(request, handler) != null) {
             throw new IllegalArgumentException("'" + request + "' is "
                     + (requests.containsKey(request)

@@ -4,20 +4,28 @@ import com.sun.net.httpserver.HttpExchange;
 import com.sun.net.httpserver.HttpServer;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.InterruptedIOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ProtocolException;
 import java.net.UnknownHostException;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.List;
 import java.util.Map;
 import java.util.Properties;
 import java.util.TreeSet;
-import java.util.function.Consumer;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Function;
+import org.evoloop.evolution.EventOutcome;
 import org.evoloop.evolution.Values;
 import org.evoloop.time.Clock;
 import org.evoloop.time.RequestThreads;
 import org.evoloop.time.SystemClock;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -33,6 +41,8 @@ final class RequestServer implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(HttpMonitor.class);
     private static final int REQUEST_SECONDS = 10;
     private static final Duration LIMIT = Duration.ofSeconds(REQUEST_SECONDS);
+    private static final int HANDLED = 200;
+    private static final int ACCEPTED = 202;
     private static final int NO_CONTENT = 204;
     private static final int BAD_REQUEST = 400;
     private static final int NO_TOKEN = 401;
@@ -41,13 +51,16 @@ final class RequestServer implements AutoCloseable {
     private static final int REFUSED = 409;
 
     private final Door door;
-    private final Map<String, Consumer<Values>> requests;
+    private final Map<String, Function<Values, @Nullable CompletableFuture<EventOutcome>>> requests;
     private final HttpServer server;
     private final RequestFaults faults = new RequestFaults();
     private final Clock clock = new SystemClock();
     private final RequestThreads threads = new RequestThreads("evoloop-http", MOST_REQUESTS, LIMIT, clock);
 
-    private RequestServer(Door door, HttpServer server, Map<String, Consumer<Values>> requests) {
+    private RequestServer(
+            Door door,
+            HttpServer server,
+            Map<String, Function<Values, @Nullable CompletableFuture<EventOutcome>>> requests) {
         this.door = door;
         this.requests = requests;
         this.server = server;
@@ -55,7 +68,9 @@ final class RequestServer implements AutoCloseable {
         server.createContext("/", this::handle);
     }
 
-    static RequestServer open(Door door, int port, Map<String, Consumer<Values>> requests) throws IOException {
+    static RequestServer open(
+            Door door, int port, Map<String, Function<Values, @Nullable CompletableFuture<EventOutcome>>> requests)
+            throws IOException {
         // The JDK's server reads these once, before it serves for the first time; the live page sets the same values.
         Properties settings = System.getProperties();
         settings.putIfAbsent("sun.net.httpserver.nodelay", "true");
@@ -109,7 +124,8 @@ final class RequestServer implements AutoCloseable {
 
     private void letIn(HttpExchange exchange) throws IOException {
         String path = exchange.getRequestURI().getPath();
-        Consumer<Values> handler = requests.get(exchange.getRequestMethod() + " " + path);
+        Function<Values, @Nullable CompletableFuture<EventOutcome>> handler =
+                requests.get(exchange.getRequestMethod() + " " + path);
         if (door.isFromAPage(exchange.getRequestHeaders())) {
             answer(
                     exchange,
@@ -123,8 +139,33 @@ final class RequestServer implements AutoCloseable {
         } else {
             Values values = RequestValues.of(exchange);
             threads.limit(LIMIT);
-            handler.accept(values);
-            exchange.sendResponseHeaders(NO_CONTENT, -1);
+            CompletableFuture<EventOutcome> outcome = handler.apply(values);
+            if (outcome == null) {
+                exchange.sendResponseHeaders(NO_CONTENT, -1);
+            } else {
+                tell(exchange, outcome);
+            }
+        }
+    }
+
+    private void tell(HttpExchange exchange, CompletableFuture<EventOutcome> submitted) throws IOException {
+        boolean waits =
+                !exchange.getRequestHeaders().getOrDefault("Prefer", List.of()).contains("respond-async");
+        EventOutcome outcome = null;
+        try {
+            threads.unlimited();
+            outcome = submitted.get(waits ? LIMIT.toMillis() : 0, TimeUnit.MILLISECONDS);
+        } catch (TimeoutException later) {
+            LOG.debug("the outcome is not known yet", later);
+        } catch (ExecutionException | InterruptedException end) {
+            throw new InterruptedIOException("the wait for the outcome of an event was ended: " + end);
+        } finally {
+            threads.limit(LIMIT);
+        }
+        if (outcome == null) {
+            answer(exchange, ACCEPTED, "accepted; the outcome is not known yet");
+        } else {
+            answer(exchange, outcome.isHandled() ? HANDLED : REFUSED, outcome.toString());
         }
     }
 

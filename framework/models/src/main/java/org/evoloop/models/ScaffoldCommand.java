@@ -23,7 +23,11 @@ import picocli.CommandLine.Spec;
 /** Generates a starter project for a converter. */
 @Command(
         name = "scaffold",
-        description = "Creates the Maven project of a converter, which builds, passes its tests and runs at once.",
+        description = {
+            "Creates the Maven project of a converter, which builds, passes its tests and runs at once.",
+            "It takes Evoloop's artifacts from your local Maven repository (~/.m2), into which "
+                    + "'./evoloop models scaffold' installs them first."
+        },
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class ScaffoldCommand implements Callable<Integer> {

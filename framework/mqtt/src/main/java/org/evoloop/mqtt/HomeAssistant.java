@@ -21,7 +21,9 @@ import org.evoloop.converter.HistoryEntry;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.EventOutcome;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Values;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.Failure;
 import org.evoloop.loop.LoopState;
@@ -176,7 +178,7 @@ public final class HomeAssistant implements AutoCloseable {
                 connection.republish();
             }
         });
-        obey(topics.press(), controller::press);
+        obey(topics.press(), this::press);
         obey(topics.converting(), this::convert);
         obey(topics.promote(), this::beginPromotion);
         Vacuum shown = vacuum;
@@ -196,6 +198,14 @@ public final class HomeAssistant implements AutoCloseable {
         thread.start();
         connection.open();
         return this;
+    }
+
+    private void press(String event) {
+        EventOutcome early = Told.submit(controller, event, Values.NONE, connection, topics.outcome())
+                .getNow(null);
+        if (early instanceof EventOutcome.Refused || early instanceof EventOutcome.Dropped) {
+            throw new IllegalStateException(early.why());
+        }
     }
 
     private static Vacuum.Order command(String payload) {

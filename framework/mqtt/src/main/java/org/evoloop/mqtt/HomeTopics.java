@@ -51,6 +51,11 @@ record HomeTopics(String id, String discovery) {
         return own("press");
     }
 
+    /** What became of each event that {@link #press} took, as JSON. */
+    String outcome() {
+        return own("outcome");
+    }
+
     /** Takes a command for the vacuum. */
     String vacuumCommand() {
         return own("vacuum/set");

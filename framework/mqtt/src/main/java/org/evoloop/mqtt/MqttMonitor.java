@@ -6,9 +6,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.payload.Inference;
+import org.evoloop.evolution.EventOutcome;
+import org.evoloop.evolution.Values;
 import org.evoloop.payload.Meanings;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
@@ -38,6 +41,7 @@ public class MqttMonitor extends PushMonitor {
     private final Set<String> devicesOwn = new LinkedHashSet<>();
     private @Nullable Fence fence;
     private @Nullable Inference inference;
+    private @Nullable String outcomes;
 
     /** How many of the events that a bypass has passed on have been reported to the converter. */
     private int received;
@@ -71,10 +75,28 @@ public class MqttMonitor extends PushMonitor {
     public final MqttMonitor controller(String topic, Meanings events) {
         rules.add(topic, events, TopicRules.Use.EVENT, event -> {
             if (fence == null || fence.isPassed()) {
-                push(fromController(event.name(), event.values()));
+                hear(event.name(), event.values());
             }
         });
         return this;
+    }
+
+    /**
+     * Publishes what becomes of each of the controller's events, when that is known: JSON with the keys {@code event},
+     * {@code outcome}, which is the {@linkplain EventOutcome#kind() kind}, and {@code text}.
+     */
+    public final MqttMonitor outcomes(String topic) {
+        outcomes = topic;
+        return this;
+    }
+
+    private void hear(String event, Values values) {
+        String topic = outcomes;
+        if (topic == null) {
+            push(fromController(event, values));
+        } else {
+            CompletableFuture<EventOutcome> unused = Told.submit(this, event, values, connection, topic);
+        }
     }
 
     /**

@@ -94,6 +94,7 @@ class HomeAssistantTest {
         watcher.awaitNewest(STATE, "\"converting\":\"OFF\"");
         watcher.publish("evoloop/lamp/press", "switch", false);
         watcher.awaitHeard(DECISION, "the converter lamp is stopped");
+        watcher.awaitHeard("evoloop/lamp/outcome", "\"outcome\":\"refused\"");
         watcher.publish("evoloop/lamp/converting/set", "ON", false);
         watcher.awaitNewest(STATE, "\"converting\":\"ON\"");
         for (int press = 0; press < 3; press++) {
@@ -103,6 +104,9 @@ class HomeAssistantTest {
         watcher.awaitNewest(STATE, "\"progress\":\"warming up, warm 40 %\"");
         watcher.awaitHeard(DECISION, "\"event_type\":\"handled\"");
         watcher.awaitHeard(DECISION, "new function of incandescentOn");
+        watcher.awaitHeard(
+                "evoloop/lamp/outcome",
+                "{\"event\":\"switch\",\"outcome\":\"handled\",\"text\":\"handled: incandescentOn\"}");
         assertThat(lamp.bulb.sent()).containsExactly("switch");
     }
 

@@ -30,7 +30,8 @@ class MqttPartsTest {
                 SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
                 Watcher watcher = new Watcher(broker)) {
             converter.addMonitor(new MqttMonitor("WallSwitch", connection)
-                    .controller("switch/action", Map.of("single", "switch"))
+                    .controller("switch/action", Map.of("single", "switch", "triple", "swich"))
+                    .outcomes("switch/outcome")
                     .device("lamp/own", Map.of("toggled", "switch")));
             converter.addExecute(new MqttExecute(
                     "Lamp",
@@ -52,6 +53,9 @@ class MqttPartsTest {
             watcher.publish("switch/action", "double", false);
             watcher.publish("switch/action", "single", false);
             watcher.awaitNewest("lamp/set", "TOGGLE");
+            watcher.awaitHeard("switch/outcome", "\"outcome\":\"handled\"");
+            watcher.publish("switch/action", "triple", false);
+            watcher.awaitHeard("switch/outcome", "did you mean switch?");
             await().atMost(Duration.ofSeconds(20)).until(() -> state(converter).equals("on"));
             watcher.publish("lamp/own", "toggled", false);
             await().atMost(Duration.ofSeconds(20))

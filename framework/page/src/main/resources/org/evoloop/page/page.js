@@ -86,6 +86,7 @@ async function load(before) {
 
 const OUTCOMES = {
   handled: 'handled', ignored: 'ignored', stale: 'came too late', failed: 'FAILED', dropped: 'LOST: the queue was full',
+  overtaken: 'overtaken',
 };
 const MEANINGS = {
   'not-acceptable': 'the new model has no transition for it here',

@@ -141,11 +141,7 @@ public final class ProgramSetup {
     /** Adds a controller whose events the console's user raises with {@code press EVENT}. */
     public void controller(PushMonitor monitor) {
         converter().addMonitor(monitor);
-        command(ConsoleCommand.naming(
-                "press EVENT",
-                "an event of the controller",
-                converter()::controllerEvents,
-                (event, more) -> monitor.press(event)));
+        command(ConsoleCommand.press(monitor, converter()::controllerEvents));
     }
 
     /** Lets the converter evolve by other models than those that {@link #knowledge} offers. */

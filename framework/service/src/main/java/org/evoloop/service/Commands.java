@@ -5,7 +5,7 @@ import org.evoloop.console.Console;
 
 /** The commands behind a control socket. */
 interface Commands {
-    /** See {@link Console#perform}. */
+    /** See {@link Console#performAndWait}. */
     int perform(String line, PrintStream results, PrintStream errors) throws InterruptedException;
 
     /** Whether the program is about to end. */
@@ -16,7 +16,7 @@ interface Commands {
         return new Commands() {
             @Override
             public int perform(String line, PrintStream results, PrintStream errors) throws InterruptedException {
-                return console.perform(line, results, errors);
+                return console.performAndWait(line, results, errors);
             }
 
             @Override

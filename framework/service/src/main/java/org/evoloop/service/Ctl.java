@@ -27,11 +27,12 @@ public final class Ctl {
             Gives a command of the console to the running converter that was started with --name NAME, such as:
 
               ctl lamp status --json
+              ctl lamp press party     # waits for the outcome, unless --no-wait is given
               ctl lamp watch           # on a terminal: shows the status every second
               ctl lamp help            # lists its commands
               ctl                      # lists the instances that run
 
-            Exit status: 0 success, 1 the command failed, 2 wrong usage, or no such instance.
+            Exit status: 0 success, 1 the command failed or the event was not handled, 2 wrong usage, or no such instance.
             """;
 
     /** {@code watch [SECONDS]}; other forms are left to the instance, which refuses them. */

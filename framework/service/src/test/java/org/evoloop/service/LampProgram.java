@@ -26,7 +26,7 @@ final class LampProgram {
             PushMonitor wallSwitch = new PushMonitor("WallSwitch");
             SystemEventConverter converter = converter(wallSwitch, clock);
             Console console = new Console(converter, System.in, System.out, System.err);
-            console.addCommand(ConsoleCommand.of("switch", "", (words, out) -> wallSwitch.press("switch")));
+            console.addCommand(ConsoleCommand.press("switch", "", wallSwitch, words -> "switch"));
             console.addCommand(ConsoleCommand.of("close", "", (words, out) -> converter.close()));
             console.addCommand(
                     ConsoleCommand.of("hang", "", (words, out) -> clock.schedule(Duration.ZERO, LampProgram::hang)));

@@ -83,7 +83,8 @@ class ServiceProcessTest {
     void withoutInputItRunsUntilItIsTerminated() throws Exception {
         Process lamp = start(NO_INPUT, "--start", "--name", "lamp");
         awaitRunning();
-        assertThat(ctl("switch")).containsExactly("0");
+        assertThat(ctl("switch")).containsExactly("handled: on, sent switch", "0");
+        assertThat(ctl("switch", "--no-wait")).containsExactly("0");
         JavaProcess.signal("HUP", lamp);
         assertThat(ctl("status").get(0)).isEqualTo("converter   lamp, running");
 
@@ -117,8 +118,9 @@ class ServiceProcessTest {
         awaitRunning();
         ctl("stop");
 
-        assertThat(ctl("switch"))
+        assertThat(ctl("switch", "--no-wait"))
                 .containsExactly("error: the converter lamp is stopped, so switch is refused; start it first", "1");
+        assertThat(ctl("switch")).containsExactly("error: refused: the converter lamp is stopped; start it first", "1");
 
         JavaProcess.signal("TERM", lamp);
         assertThat(end(lamp)).isZero();

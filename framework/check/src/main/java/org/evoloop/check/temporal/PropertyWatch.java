@@ -144,7 +144,7 @@ public final class PropertyWatch {
             case HANDLED -> true;
             case IGNORED -> decision != null && !decision.steps().isEmpty();
             // If only effects failed, the transition was taken.
-            case FAILED -> decision != null && !(decision instanceof Decision.Impossible);
+            case FAILED, OVERTAKEN -> decision != null && !(decision instanceof Decision.Impossible);
             case STALE, DROPPED -> false;
         };
     }

@@ -12,4 +12,7 @@ public interface Endings {
      * @throws UnsupportedOperationException if nobody here learns of that
      */
     void await(Occurrence occurrence, Consumer<EventOutcome> then);
+
+    /** {@code occurrence} is not taken, or not any more: who awaits it is told. */
+    default void refused(Occurrence occurrence, String why) {}
 }

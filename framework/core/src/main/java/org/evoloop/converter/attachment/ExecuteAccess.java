@@ -9,6 +9,7 @@ import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;
+import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 
@@ -33,7 +34,7 @@ public abstract class ExecuteAccess {
     public abstract String name();
 
     /** From now on it carries out what {@code host} gives it, and reports to it. */
-    public abstract void attach(Host host);
+    public abstract void attach(Host host, LoopConfig config);
 
     /** Those that it can send; asked for only once. */
     public abstract Set<Event> events();

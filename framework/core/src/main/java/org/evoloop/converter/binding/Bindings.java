@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -13,6 +14,7 @@ import java.util.TreeSet;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BiConsumer;
 import java.util.function.Predicate;
+import java.util.function.ToIntFunction;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
@@ -50,6 +52,7 @@ public final class Bindings implements Predicate<String> {
     private final Map<String, GuardWatch> watches = new ConcurrentHashMap<>();
     private final Map<String, Action> effects = new HashMap<>();
     private final Map<Event, Integer> costs = new LinkedHashMap<>();
+    private final Map<Event, ToIntFunction<Values>> preferences = new LinkedHashMap<>();
     private final Set<State> doNotPass = new HashSet<>();
     private final Map<State, Map<String, OnFailure>> onFailure = new LinkedHashMap<>();
 
@@ -74,6 +77,22 @@ public final class Bindings implements Predicate<String> {
                     "the cost of " + event + " is " + cost + ", allowed is 1 to " + DeviceEvents.MAX_COST);
         }
         costs.put(new Event(event), cost);
+    }
+
+    public void cost(String event, ToIntFunction<Values> cost) {
+        preferences.put(new Event(event), cost);
+    }
+
+    /** Whether costs depend on the values of events, or on readings. */
+    public boolean prefers() {
+        return !preferences.isEmpty();
+    }
+
+    /** The costs of events now, for an event with these values. */
+    public Map<Event, Integer> costs(Values values) {
+        Map<Event, Integer> now = new LinkedHashMap<>(costs);
+        preferences.forEach((event, cost) -> now.put(event, cost.applyAsInt(values)));
+        return now;
     }
 
     public void doNotPass(String state) {
@@ -216,7 +235,9 @@ public final class Bindings implements Predicate<String> {
                 problems.add("effect " + text + " is bound, but the new model does not draw it");
             }
         }
-        for (Event event : costs.keySet()) {
+        Set<Event> priced = new LinkedHashSet<>(costs.keySet());
+        priced.addAll(preferences.keySet());
+        for (Event event : priced) {
             if (!pair.original().triggers().contains(event)) {
                 problems.add("a cost is given to " + event + ", which is not an event of the original model"
                         + Names.hint(event.name(), pair.original().triggers()));

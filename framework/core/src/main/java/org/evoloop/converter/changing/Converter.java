@@ -328,6 +328,11 @@ final class Converter implements ConverterDelegate {
     }
 
     @Override
+    public boolean hasThreads() {
+        return config.threads();
+    }
+
+    @Override
     public StateKnowledge knowledge() {
         return built().knowledge();
     }

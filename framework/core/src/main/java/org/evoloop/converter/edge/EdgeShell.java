@@ -122,7 +122,7 @@ public final class EdgeShell implements AutoCloseable {
         this.access = Friends.KNOWLEDGE.of(knowledge);
         this.decider = decider;
         this.failures = new FailureLog(config);
-        this.visits = new Visits(config, new CurrentKnowledge(knowledge), new Transcript(), failures);
+        this.visits = new Visits(config, new CurrentKnowledge(knowledge), new Transcript(config.name()), failures);
         this.at = knowledge.models().initial();
         this.guards = Bindings.byEvent(knowledge.models().original());
         Bindings.byEvent(knowledge.models().evolved())
@@ -179,7 +179,7 @@ public final class EdgeShell implements AutoCloseable {
                                 EdgeShell::decidedElsewhere);
                 loop.addMonitor(monitor);
             } else if (component instanceof EventExecute execute) {
-                Friends.EXECUTE.of(execute).attach(host);
+                Friends.EXECUTE.of(execute).attach(host, config);
                 loop.addExecute(execute);
             }
         }

@@ -23,9 +23,6 @@ import org.jspecify.annotations.Nullable;
  * <p>Threading: thread-safe; costs nothing while nobody waits.
  */
 public final class AwaitedEndings implements Endings {
-    /** How the core's reason begins if a plan was overtaken. */
-    private static final String OVERTAKEN = "overtaken";
-
     private final boolean threads;
     private final IdentityHashMap<Occurrence, Consumer<EventOutcome>> waiting = new IdentityHashMap<>();
     private final ConcurrentLinkedQueue<Runnable> due = new ConcurrentLinkedQueue<>();
@@ -79,10 +76,8 @@ public final class AwaitedEndings implements Endings {
                         : new EventOutcome.Refused(why);
             case STALE -> new EventOutcome.Stale(why);
             case DROPPED -> new EventOutcome.Dropped(why);
-            case FAILED ->
-                why.startsWith(OVERTAKEN)
-                        ? new EventOutcome.Overtaken(before, after, why)
-                        : new EventOutcome.Failed(before, after, why);
+            case FAILED -> new EventOutcome.Failed(before, after, why);
+            case OVERTAKEN -> new EventOutcome.Overtaken(before, after, why);
         };
     }
 
@@ -95,12 +90,12 @@ public final class AwaitedEndings implements Endings {
                         .toList();
     }
 
-    /** The converter is closed, and does not take it, or not any more. */
-    public void refused(Occurrence occurrence) {
+    @Override
+    public void refused(Occurrence occurrence, String why) {
         if (any) {
             Consumer<EventOutcome> then = take(occurrence);
             if (then != null) {
-                tell(then, new EventOutcome.Refused("the converter was stopped before its turn came"));
+                tell(then, new EventOutcome.Refused(why));
             }
         }
     }

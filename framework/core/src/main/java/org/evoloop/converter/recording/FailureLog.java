@@ -18,6 +18,8 @@ import org.evoloop.time.Threads;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.slf4j.event.Level;
+import org.slf4j.spi.LoggingEventBuilder;
 
 /**
  * Logs failures and warnings without flooding the log: of equal ones the first, the second, the fourth, the eighth, and
@@ -34,6 +36,7 @@ public final class FailureLog {
 
     private final Clock clock;
     private final boolean threads;
+    private final String converter;
     private final ArrayDeque<String> soon = new ArrayDeque<>();
     private boolean saying;
     private volatile Consumer<Failure<Occurrence>> listener = failure -> {};
@@ -47,6 +50,7 @@ public final class FailureLog {
     public FailureLog(LoopConfig config) {
         this.clock = config.clock();
         this.threads = config.threads();
+        this.converter = config.name();
         this.intervalNanos = clock.nanoTime();
     }
 
@@ -54,14 +58,19 @@ public final class FailureLog {
         String what = failure.toString();
         long count = count(what);
         if (count > 1 || !isBug(failure.cause())) {
-            warn(what, count);
+            warn(what, count, about(failure));
         } else if (mayLog()) {
+            LoggingEventBuilder line = Keys.at(LOG, Level.ERROR, converter, about(failure));
             try {
-                LOG.error("{}", what, failure.cause());
+                line.setCause(failure.cause()).log("{}", what);
             } catch (RuntimeException badCause) {
                 LOG.error("{}", what);
             }
         }
+    }
+
+    private static String about(Failure<?> failure) {
+        return failure.occurrence() instanceof Occurrence occurrence ? occurrence.label() : "";
     }
 
     /** From now on, {@code told} hears of every {@link #fault}; it must return at once. */
@@ -108,12 +117,12 @@ public final class FailureLog {
      * @param what the same text each time the same thing happens
      */
     public void warn(String what) {
-        warn(what, count(what));
+        warn(what, count(what), "");
     }
 
-    private void warn(String what, long count) {
+    private void warn(String what, long count, String event) {
         if (isDue(count)) {
-            LOG.warn("{}", line(what, count));
+            Keys.at(LOG, Level.WARN, converter, event).log("{}", line(what, count));
         }
     }
 
@@ -149,7 +158,7 @@ public final class FailureLog {
 
     private void saySoon() {
         for (String line = nextLine(); line != null; line = nextLine()) {
-            LOG.warn("{}", line);
+            Keys.at(LOG, Level.WARN, converter, "").log("{}", line);
         }
     }
 

@@ -23,7 +23,7 @@ public record Records(
 
     public Records(LoopConfig config, FailureLog failures, Listeners listeners) {
         this(
-                new Transcript(),
+                new Transcript(config.name()),
                 failures,
                 new History(config.clock()),
                 new LatencyWindow(),

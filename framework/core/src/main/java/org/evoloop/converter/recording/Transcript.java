@@ -14,6 +14,7 @@ import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.slf4j.event.Level;
 
 /**
  * The log of the paper's experiment, word for word, one line per message, written to the SLF4J logger {@value #LOGGER}.
@@ -35,7 +36,9 @@ public final class Transcript {
 
     private final Object logging = new Object();
 
-    /** Lines to be logged: formats, each followed by its arguments. */
+    private final String converter;
+
+    /** Lines to be logged: formats, each followed by its argument, and by the event that it is about. */
     private final ArrayDeque<Object> ready = new ArrayDeque<>();
 
     private volatile boolean isReady;
@@ -58,6 +61,11 @@ public final class Transcript {
 
     /** The new state whose function starts if the event succeeds. */
     private @Nullable State entered;
+
+    /** @param converter its name */
+    public Transcript(String converter) {
+        this.converter = converter;
+    }
 
     public void observed(Occurrence occurrence) {
         about = LOG.isInfoEnabled() ? occurrence : null;
@@ -165,9 +173,10 @@ public final class Transcript {
     }
 
     private synchronized void makeReady() {
+        String label = about == null ? "" : about.label();
         // By index: an iterator would be garbage in every event.
         for (int index = 0; index < lines.size(); index += 2) {
-            line(lines.get(index), lines.get(index + 1));
+            line(lines.get(index), lines.get(index + 1), label);
         }
         gap = true;
         inEvent = false;
@@ -182,12 +191,18 @@ public final class Transcript {
     }
 
     private void line(Object format, Object argument) {
+        line(format, argument, "");
+    }
+
+    private void line(Object format, Object argument, String event) {
         if (gap) {
             ready.add("");
             ready.add("");
+            ready.add(event);
         }
         ready.add(format);
         ready.add(argument);
+        ready.add(event);
         gap = false;
         begun = true;
         isReady = true;
@@ -219,6 +234,7 @@ public final class Transcript {
             while (true) {
                 String format;
                 Object argument;
+                String event;
                 synchronized (this) {
                     if (ready.isEmpty()) {
                         isReady = false;
@@ -226,8 +242,9 @@ public final class Transcript {
                     }
                     format = (String) ready.remove();
                     argument = ready.remove();
+                    event = (String) ready.remove();
                 }
-                LOG.info(format, Names.inOneLine(argument.toString()));
+                Keys.at(LOG, Level.INFO, converter, event).log(format, Names.inOneLine(argument.toString()));
             }
         }
     }

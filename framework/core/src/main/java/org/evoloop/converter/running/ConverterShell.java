@@ -226,7 +226,7 @@ public final class ConverterShell implements LoopListener<Occurrence> {
         } else if (component instanceof EventPlan plan) {
             Friends.PLAN.of(plan).accept(driver);
         } else if (component instanceof EventExecute execute) {
-            Friends.EXECUTE.of(execute).attach(executor);
+            Friends.EXECUTE.of(execute).attach(executor, config);
         } else {
             throw new IllegalArgumentException(component.name() + " is not a component of a converter");
         }

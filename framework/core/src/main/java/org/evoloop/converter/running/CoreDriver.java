@@ -13,6 +13,7 @@ import org.evoloop.converter.Probation;
 import org.evoloop.converter.ShadowReport;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.attachment.DecisionHost;
+import org.evoloop.converter.binding.Bindings;
 import org.evoloop.converter.recording.History;
 import org.evoloop.converter.recording.LatencyWindow;
 import org.evoloop.converter.recording.Records;
@@ -124,9 +125,19 @@ public final class CoreDriver implements DecisionHost {
         // Guards are user code, so they are asked outside the lock, about the record as it was under it.
         Decision made = resumed != null
                 ? resumed
-                : rules.decide(now, steps, pending, knowledge.bindings().with(occurrence.values()));
+                : preferred(
+                        rules.decide(now, steps, pending, knowledge.bindings().with(occurrence.values())), pending);
         decided = made;
         return made;
+    }
+
+    /** What is sent may depend on preferences; what the device has done, and what a failure is followed by, does not. */
+    private Decision preferred(Decision usual, Pending pending) {
+        Bindings bindings = knowledge.bindings();
+        return bindings.prefers() && pending.from() == null && pending.broken() == null
+                ? rules().table()
+                        .prefer(usual, bindings.costs(pending.occurrence().values()))
+                : usual;
     }
 
     @Override

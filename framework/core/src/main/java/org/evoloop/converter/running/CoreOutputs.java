@@ -132,7 +132,7 @@ final class CoreOutputs implements Outputs {
     public void refused(Occurrence occurrence) {
         admission = Admission.REFUSED;
         records.flight().observed(occurrence, "refused");
-        records.listeners().endings().refused(occurrence);
+        records.listeners().endings().refused(occurrence, "the converter was stopped before its turn came");
     }
 
     @Override

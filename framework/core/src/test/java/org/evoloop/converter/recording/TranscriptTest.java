@@ -66,6 +66,7 @@ class TranscriptTest {
                 .startsWith("----   button_event : Clean   -----")
                 .contains(" Clean command")
                 .endsWith(" original_current_state: On", " new_current_state: On");
+        assertThat(transcript.keys()).containsOnly("[converter=\"robot\", event=\"Clean\"]");
     }
 
     @Test
