@@ -5,6 +5,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Consumer;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.payload.Meanings;
 import org.evoloop.time.Clock;
@@ -90,7 +91,9 @@ public class MqttMonitor extends PushMonitor {
     }
 
     /**
-     * Sets the topic on which the device reports its state; what the broker has retained counts, too.
+     * Sets the topic on which the device reports its state; what the broker has retained counts, too. After a command
+     * that was {@linkplain MqttExecute#confirmedBy not confirmed} a report may be older than its effect, so a while only the
+     * one that confirms it counts.
      *
      * @param states of the original model, by payload
      */
@@ -100,7 +103,9 @@ public class MqttMonitor extends PushMonitor {
 
     /** As {@link #found(String, Map)}, with JSON and patterns. */
     public final MqttMonitor found(String topic, Meanings states) {
-        rules.add(topic, states, TopicRules.Use.STATE, state -> push(foundIn(state.name())));
+        Aftermath aftermath = connection.aftermath(topic);
+        Consumer<String> found = state -> push(foundIn(state));
+        rules.add(topic, states, TopicRules.Use.STATE, state -> aftermath.hear(state.name(), found));
         return this;
     }
 
