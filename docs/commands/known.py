@@ -47,6 +47,7 @@ NO_BOARD = "hardware: takes a camera's pictures of a printed chessboard (Calibra
 CLUSTER = "needs a Kafka cluster; FleetCommandTest of fleet starts a broker and does the same there"
 EDGE = "needs a Kafka cluster and an MQTT broker; RoombaEdgeTest starts both, and does the same with a simulated robot"
 ELSEWHERE = "is for the project that scaffold writes; test_retrofit.py creates it and runs this there"
+FOLLOWED = "test_retrofit_file.py follows the guide, and runs this"
 
 CONSOLE = """start
 stop
@@ -225,6 +226,17 @@ KNOWN = [
         "./evoloop models plan models/cleaning-robot.xml#original models/cleaning-robot.xml#new --spontaneous endSpot --bypass",
         shows="something else: the device goes to Spot",
     ),
+    Known("./evoloop new my-fan --connection lines --address tcp://127.0.0.1:4001 --events power,speed", why_not=FOLLOWED),
+    Known("./evoloop run my-fan/my-fan.yaml --simulate", why_not=FOLLOWED),
+    Known("./evoloop check my-fan/my-fan.yaml", why_not=FOLLOWED),
+    Known("./evoloop run my-fan/my-fan.yaml --start --name my-fan --journal my-fan/journal", why_not=FOLLOWED),
+    Known(
+        "./evoloop run my-fan/my-fan.yaml --start --name my-fan --journal my-fan/journal --mqtt mqtt://localhost",
+        why_not=FOLLOWED,
+    ),
+    Known("./evoloop ctl my-fan press boost", why_not=FOLLOWED),
+    Known("./evoloop ctl my-fan status", why_not=FOLLOWED),
+    Known("./evoloop ctl my-fan exit", why_not=FOLLOWED),
     typed("./evoloop new heater", shows="wrote heater/heater.yaml"),
     Known("./evoloop learn FILE.yaml --output fan.mmd", run="./evoloop learn --help", shows="--longest"),
     typed("./evoloop check heater/heater.yaml", shows="passed: after ten minutes it is switched off"),

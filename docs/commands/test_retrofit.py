@@ -27,9 +27,9 @@ def blocks(language: str) -> list[str]:
     return re.findall(rf"^```{language}\n(.*?)^```$", GUIDE, re.MULTILINE | re.DOTALL)
 
 
-def documented(beginning: str) -> list[str]:
-    """The words of the guide's command that begins with `beginning`."""
-    (line,) = [line.strip() for line in GUIDE.splitlines() if line == f"    {beginning}"]
+def documented(command: str, guide: str = GUIDE) -> list[str]:
+    """The words of a command that the guide has."""
+    (line,) = [line.strip() for line in guide.splitlines() if line == f"    {command}"]
     return line.split()
 
 
@@ -71,13 +71,13 @@ def until(what: str, holds: Callable[[], bool]) -> None:
         time.sleep(0.1)
 
 
-@unittest.skipUnless(BUILDS_PROJECTS, "slow: ./evoloop test --slow runs it")
-class RetrofitTest(unittest.TestCase):
+class FanCase(unittest.TestCase):
+    """A fan, and what operates it, each a process."""
+
     def setUp(self) -> None:
         folder = tempfile.TemporaryDirectory(prefix="evoloop-retrofit-")
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
-        self.project = self.folder / "fan"
         self.port = free_port()
         self.environment = {**os.environ, "XDG_RUNTIME_DIR": str(self.folder / "run")}
         (self.folder / "run").mkdir(mode=0o700)
@@ -115,6 +115,20 @@ class RetrofitTest(unittest.TestCase):
         fan.stdin.write(f"{button}\n")
         fan.stdin.flush()
         until(f"{button} leads to {state}", lambda: self.said(fan).strip().endswith(f"the fan is {state}"))
+
+    def begin_broker(self) -> int:
+        mqtt = free_port()
+        settings = self.folder / "mosquitto.conf"
+        settings.write_text(f"listener {mqtt} 127.0.0.1\nallow_anonymous true\n", encoding="utf-8")
+        self.begin([BROKER, "-c", str(settings)])
+        return mqtt
+
+
+@unittest.skipUnless(BUILDS_PROJECTS, "slow: ./evoloop test --slow runs it")
+class RetrofitTest(FanCase):
+    def setUp(self) -> None:
+        super().setUp()
+        self.project = self.folder / "fan"
 
     def ctl(self, command: str) -> str:
         """The converter's answer; empty if it is not yet running."""
@@ -185,10 +199,7 @@ class RetrofitTest(unittest.TestCase):
         self.write_code()
         self.verify(repository)
 
-        mqtt = free_port()
-        settings = self.folder / "mosquitto.conf"
-        settings.write_text(f"listener {mqtt} 127.0.0.1\nallow_anonymous true\n", encoding="utf-8")
-        self.begin([BROKER, "-c", str(settings)])
+        mqtt = self.begin_broker()
         fan = self.begin_fan()
         command = documented("java -jar target/fan.jar --start --name fan --journal journal --mqtt mqtt://localhost")
         self.assertEqual(command[:-2], documented("java -jar target/fan.jar --start --name fan --journal journal"))

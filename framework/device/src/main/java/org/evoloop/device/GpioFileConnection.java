@@ -142,6 +142,15 @@ final class GpioFileConnection extends Connection {
     protected Parts make(SystemEventConverter converter) throws IOException {
         Pins pins = source.open();
         opened = pins;
+        try {
+            return on(pins, converter);
+        } catch (RuntimeException refused) {
+            pins.close();
+            throw refused;
+        }
+    }
+
+    private Parts on(Pins pins, SystemEventConverter converter) {
         GpioMonitor monitor = new GpioMonitor(name(), pins, converter.clock());
         contacts.forEach(each -> each.accept(monitor));
         List<GpioExecute> executes = new ArrayList<>();

@@ -18,6 +18,8 @@ import org.evoloop.line.LineConnection;
 import org.evoloop.line.LineExecute;
 import org.evoloop.line.LineMonitor;
 import org.evoloop.line.LineTransport;
+import org.evoloop.payload.Match;
+import org.evoloop.payload.Meanings;
 import org.jspecify.annotations.Nullable;
 
 /** A connection that exchanges lines of text, made of a {@link LineMonitor} and a {@link LineExecute}. */
@@ -100,22 +102,22 @@ final class LineFileConnection extends Connection {
 
     /** Adds a rule to a monitor. */
     private interface Adding {
-        LineMonitor to(LineMonitor monitor, Pattern line, String event);
+        LineMonitor to(LineMonitor monitor, Meanings events);
     }
 
     /** The forms {@code {values: {LINE: EVENT}}} and {@code {line: PATTERN, event: EVENT}}. */
     private void events(Section rule, Function<Node.Text, String> known, Adding adding) {
-        rule.pairs("values").forEach((line, event) -> {
-            Pattern exactly = Pattern.compile(Pattern.quote(line.value()));
-            String name = known.apply(event);
-            rules.add(monitor -> adding.to(monitor, exactly, name));
-        });
+        Map<String, String> values = new LinkedHashMap<>();
+        rule.pairs("values").forEach((line, event) -> values.put(line.value(), known.apply(event)));
+        if (!values.isEmpty()) {
+            rules.add(monitor -> adding.to(monitor, Meanings.of(values)));
+        }
         if (!rule.has("values") || rule.has("line") || rule.has("event")) {
             rule.require("line");
             Pattern line = rule.pattern("line").orElse(null);
             rule.need("event").map(known).ifPresent(event -> {
                 if (line != null) {
-                    rules.add(monitor -> adding.to(monitor, line, event));
+                    rules.add(monitor -> adding.to(monitor, Meanings.NONE.with(Match.matching(line), event)));
                 }
             });
         }

@@ -23,12 +23,13 @@ final class Wiring {
         List<DeviceLink> links = new ArrayList<>();
         for (Connection connection : file.connections()) {
             Parts parts = connection.assemble(converter);
+            // First, so that they are closed if what follows fails.
+            each.accept(parts);
             parts.monitors().forEach(converter::addMonitor);
             parts.executes().forEach(converter::addExecute);
             if (parts.link() != null) {
                 links.add(parts.link());
             }
-            each.accept(parts);
         }
         if (!links.isEmpty()) {
             converter.addLink(links.size() == 1 ? links.get(0) : new Links(links));

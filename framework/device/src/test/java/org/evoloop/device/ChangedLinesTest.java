@@ -7,10 +7,16 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.UnaryOperator;
+import java.util.Map;
+import java.util.Objects;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.evoloop.device.file.DeviceFileException;
+import org.evoloop.device.file.Node;
+import org.evoloop.device.file.Problems;
+import org.evoloop.device.file.Section;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -19,6 +25,16 @@ import org.junit.jupiter.params.provider.MethodSource;
 class ChangedLinesTest {
     private static final Path DEVICES = Path.of(System.getProperty("evoloop.root", "../.."), "devices");
     private static final Pattern KEY = Pattern.compile("^( *)([a-z-]+)(: .*|:)$");
+
+    private static final Pattern WORD = Pattern.compile("\\b\\p{L}");
+    private static final Pattern SCENARIOS = Pattern.compile("/scenarios/.*");
+
+    /** What a device or a person may call as they like. */
+    private static final Pattern ANY_VALUE =
+            Pattern.compile("/converter|/connections/.*|/device/(send|answer|ask)/.*|/functions/.*/line");
+
+    private static final Pattern ANY_KEY =
+            Pattern.compile("/(connections|device/state|device/does|controller/press|scenarios)/.*");
 
     @TempDir
     private Path folder;
@@ -57,22 +73,119 @@ class ChangedLinesTest {
 
     @ParameterizedTest
     @MethodSource("files")
-    void whateverHappensToALineEachMistakeHasAPlace(Path file) throws IOException {
+    void anotherTypeIsRefusedInItsLine(Path file) throws IOException {
+        everyLine(file, (lines, at) -> {
+            for (String other : List.of(": [1, 2]", ": {a: b}", ":")) {
+                String wrong = lines.get(at).replaceFirst(": ?(.*)$", other);
+                if (!wrong.equals(lines.get(at))) {
+                    assertThat(refused(file, changed(lines, at, List.of(wrong))))
+                            .as(wrong)
+                            .anyMatch(message -> isOf(at, message));
+                }
+            }
+        });
+    }
+
+    @ParameterizedTest
+    @MethodSource("files")
+    void aDoubledLineIsRefusedUnlessItIsAStepOfAScenario(Path file) throws IOException {
+        everyLine(file, (lines, at) -> {
+            String line = lines.get(at);
+            if (!line.strip().startsWith("- ")) {
+                assertThat(refused(file, changed(lines, at, List.of(line, line))))
+                        .as(line)
+                        .anyMatch(message -> isOf(at, message) || isOf(at + 1, message));
+            }
+        });
+    }
+
+    @ParameterizedTest
+    @MethodSource("files")
+    void aDeletedLineIsRefusedOrChangesNothingElse(Path file) throws IOException {
+        Map<String, String> all = content(file);
+        everyLine(file, (lines, at) -> {
+            if (refused(file, changed(lines, at, List.of())).isEmpty()) {
+                Map<String, String> left = content(copy());
+                assertThat(isAllOf(left, all) || isOnlyAbout(SCENARIOS, left, all))
+                        .as("without " + lines.get(at))
+                        .isTrue();
+            }
+        });
+    }
+
+    @ParameterizedTest
+    @MethodSource("files")
+    void aMisspeltWordIsRefusedUnlessItMayBeAnything(Path file) throws IOException {
+        Map<String, String> all = content(file);
+        everyLine(file, (lines, at) -> {
+            Matcher word = WORD.matcher(lines.get(at));
+            while (word.find()) {
+                String wrong = new StringBuilder(lines.get(at))
+                        .insert(word.start(), 'x')
+                        .toString();
+                if (refused(file, changed(lines, at, List.of(wrong))).isEmpty()) {
+                    Map<String, String> now = content(copy());
+                    boolean sameKeys = now.keySet().equals(all.keySet());
+                    assertThat(isOnlyAbout(sameKeys ? ANY_VALUE : ANY_KEY, now, all))
+                            .as(wrong)
+                            .isTrue();
+                }
+            }
+        });
+    }
+
+    private static boolean isAllOf(Map<String, String> part, Map<String, String> all) {
+        return part.entrySet().stream()
+                .allMatch(each -> each.getValue().isEmpty() || each.getValue().equals(all.get(each.getKey())));
+    }
+
+    /** Whether all that differs is about paths of this kind. */
+    private static boolean isOnlyAbout(Pattern paths, Map<String, String> now, Map<String, String> before) {
+        return Stream.of(now, before)
+                .flatMap(each -> each.keySet().stream())
+                .filter(path -> !Objects.equals(now.get(path), before.get(path)))
+                .allMatch(path -> paths.matcher(path).matches());
+    }
+
+    /** All texts of a file, each by the path to it. */
+    private static Map<String, String> content(Path file) {
+        Map<String, String> content = new TreeMap<>();
+        add("", Section.read(file, new Problems(file)).node(), content);
+        return content;
+    }
+
+    private static void add(String path, Node node, Map<String, String> content) {
+        if (node instanceof Node.Entries entries) {
+            entries.entries().forEach((key, value) -> add(path + "/" + key.value(), value, content));
+        } else if (node instanceof Node.Items items) {
+            for (int at = 0; at < items.items().size(); at++) {
+                add(path + "/" + at, items.items().get(at), content);
+            }
+        } else {
+            content.put(path, node.toString());
+        }
+    }
+
+    /** What is done with one of the lines that say something. */
+    private interface Change {
+        void of(List<String> lines, int at) throws IOException;
+    }
+
+    private static void everyLine(Path file, Change change) throws IOException {
         List<String> lines = Files.readAllLines(file);
-        List<UnaryOperator<String>> changes = List.of(
-                line -> line.replaceFirst(": ?(.*)$", ": [1, 2]"),
-                line -> line.replaceFirst(": ?(.*)$", ": {a: b}"),
-                line -> line.replaceFirst(": ?(.*)$", ":"),
-                line -> line.replaceFirst("[a-z]", ""),
-                line -> " " + line,
-                line -> line + " }");
         for (int at = 0; at < lines.size(); at++) {
-            refused(file, changed(lines, at, List.of()));
-            refused(file, changed(lines, at, List.of(lines.get(at), lines.get(at))));
-            for (UnaryOperator<String> change : changes) {
-                refused(file, changed(lines, at, List.of(change.apply(lines.get(at)))));
+            if (!lines.get(at).isBlank() && !lines.get(at).strip().startsWith("#")) {
+                change.of(lines, at);
             }
         }
+    }
+
+    private boolean isOf(int at, String message) {
+        return message.startsWith(copy() + ":" + (at + 1) + ": ");
+    }
+
+    private Path copy() {
+        return folder.resolve("changed.yaml");
     }
 
     private static List<String> changed(List<String> lines, int at, List<String> instead) {
@@ -84,7 +197,7 @@ class ChangedLinesTest {
 
     /** The mistakes, each with its line; none if it is read. */
     private List<String> refused(Path file, List<String> lines) throws IOException {
-        Path copy = folder.resolve("changed.yaml");
+        Path copy = copy();
         Files.write(copy, lines);
         Files.writeString(folder.resolve("README.md"), Files.readString(file.resolveSibling("README.md")));
         try {

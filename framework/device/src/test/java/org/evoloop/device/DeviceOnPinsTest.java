@@ -1,11 +1,13 @@
 package org.evoloop.device;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.awaitility.Awaitility.await;
 
 import com.pi4j.Pi4J;
 import com.pi4j.context.Context;
 import com.pi4j.io.gpio.digital.DigitalOutput;
+import com.pi4j.io.gpio.digital.DigitalOutputConfigBuilder;
 import com.pi4j.io.gpio.digital.DigitalState;
 import com.pi4j.plugin.mock.provider.gpio.digital.MockDigitalInput;
 import com.pi4j.plugin.mock.provider.gpio.digital.MockDigitalInputProvider;
@@ -139,6 +141,21 @@ class DeviceOnPinsTest {
             lamp.perform(Values.NONE);
             assertThat(mock.<DigitalOutput>getIO("output-25").isHigh()).isTrue();
         }
+    }
+
+    @Test
+    void ifOneOfThePinsCannotBeUsedAllAreReleased() {
+        Connection pins = read(FILE);
+        mock.create(DigitalOutputConfigBuilder.newInstance(mock)
+                .id("output-24")
+                .address(24)
+                .build());
+        try (SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("coffee", clock))) {
+            assertThatThrownBy(() -> pins.assemble(converter))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessageContaining("GPIO 24");
+        }
+        assertThat(mock.isShutdown()).isTrue();
     }
 
     @Test

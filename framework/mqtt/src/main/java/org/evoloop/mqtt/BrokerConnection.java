@@ -44,6 +44,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
     private final BrokerAddress address;
     private final String client;
     private final Map<String, Deque<Consumer<Message>>> consumers = new LinkedHashMap<>();
+    private final Map<String, Aftermath> aftermaths = new LinkedHashMap<>();
     private final List<Runnable> whenLost = new CopyOnWriteArrayList<>();
     private final Outbox outbox = new Outbox();
     private final Attempts attempts = new Attempts();
@@ -92,6 +93,15 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
     /** As {@link #subscribe}; {@code consumer} is called before those that are there. */
     synchronized void subscribeFirst(String topic, Consumer<Message> consumer) {
         consumersOf(topic).addFirst(consumer);
+    }
+
+    /** What is known of commands to the device that reports its state on this topic; before {@link #open}. */
+    synchronized Aftermath aftermath(String topic) {
+        return aftermaths.computeIfAbsent(topic, first -> {
+            Aftermath made = new Aftermath();
+            subscribeFirst(topic, made::receives);
+            return made;
+        });
     }
 
     private Deque<Consumer<Message>> consumersOf(String topic) {

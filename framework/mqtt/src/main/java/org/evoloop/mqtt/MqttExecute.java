@@ -2,10 +2,10 @@ package org.evoloop.mqtt;
 
 import java.io.IOException;
 import java.time.Duration;
+import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.UnknownEffectException;
@@ -42,6 +42,14 @@ public class MqttExecute extends EventExecute {
     private final Map<String, Command> commands;
     private final Reports confirmations;
     private final Reports answers;
+    private final Set<Aftermath> aftermaths = new LinkedHashSet<>();
+
+    /** The state to which the last step leads, if it was not confirmed; else empty. */
+    private volatile String awaited = "";
+
+    /** Until when it may still have its effect. */
+    private volatile long untilNanos;
+
     private @Nullable Duration confirmed;
     private @Nullable Question question;
     private Rest rest;
@@ -73,26 +81,30 @@ public class MqttExecute extends EventExecute {
     /**
      * Declares that a topic reports the device's state: a step has been executed when it reports the state to which the
      * step leads. Other reports are left to a monitor. If it does not within the limit, or the device is lost meanwhile,
-     * whether the step had its effect is unknown.
+     * whether the step had its effect is unknown; it still may have it within the limit again, but no later.
      *
      * @param states of the original model, by what the topic says
      * @param limit the time limit from publishing to the report
      */
     public final MqttExecute confirmedBy(String topic, Meanings states, Duration limit) {
+        aftermaths.add(device.connection().aftermath(topic));
         confirmations.subscribe(topic, states);
         confirmed = Clock.requireDelay(limit);
         return this;
     }
 
     /**
-     * Sets a question for the device's state, published when the converter is in doubt. The first state that is
-     * reported afterwards is the answer; what the broker has retained is older, and is none.
+     * Sets a question for the device's state, published when the converter is in doubt; if the device cannot be reached
+     * then, when the broker can. The first state that is reported afterwards is the answer; what the broker has retained
+     * is older, and is none. After a step that was not confirmed, another state than the one to which it leads is the
+     * answer when it is too late for its effect.
      *
      * @param topic the topic of the answer
      * @param states of the original model, by what the topic says
      * @param limit the time limit for the answer
      */
     public final MqttExecute asking(Message question, String topic, Meanings states, Duration limit) {
+        aftermaths.add(device.connection().aftermath(topic));
         answers.subscribe(topic, states);
         this.question = new Question(question, Clock.requireDelay(limit));
         return this;
@@ -129,11 +141,37 @@ public class MqttExecute extends EventExecute {
                 device.connection().publish(message);
                 return;
             }
-            String target = step.target().name();
-            confirmations.await(message, target::equals, limit, this::tookEffect);
+            sendConfirmed(step, message, limit);
         } finally {
             rest.begin();
         }
+    }
+
+    private void sendConfirmed(Step step, Message message, Duration limit) throws IOException, InterruptedException {
+        awaited = step.target().name();
+        aftermaths.forEach(each -> each.sends(step.source().name(), awaited));
+        try {
+            confirmations.await(message, awaited, limit, this::isConfirmed);
+        } finally {
+            if (!awaited.isEmpty()) {
+                leaveUnknown(limit);
+            }
+        }
+    }
+
+    private void leaveUnknown(Duration limit) {
+        untilNanos = device.clock().nanoTime() + limit.toNanos();
+        aftermaths.forEach(each -> each.isUnknown(awaited, device.clock(), limit));
+    }
+
+    private void isConfirmed() {
+        settle();
+        tookEffect();
+    }
+
+    private void settle() {
+        awaited = "";
+        aftermaths.forEach(Aftermath::settled);
     }
 
     private void requireUp(String what) {
@@ -148,8 +186,18 @@ public class MqttExecute extends EventExecute {
         if (asked == null) {
             return Optional.empty();
         }
+        if (!device.isUp()) {
+            // What the broker has retained meanwhile may be old, and is no answer.
+            leaveUnknown(asked.limit());
+            device.connection()
+                    .publish(Message.event(
+                            asked.message().topic(), asked.message().payload()));
+        }
         requireUp("the question for its state");
-        Predicate<String> any = state -> true;
-        return Optional.of(answers.await(asked.message(), any, asked.limit(), () -> {}));
+        long left =
+                awaited.isEmpty() ? 0 : Math.max(0, untilNanos - device.clock().nanoTime());
+        String answer = answers.ask(asked.message(), awaited, Duration.ofNanos(left), asked.limit());
+        settle();
+        return Optional.of(answer);
     }
 }

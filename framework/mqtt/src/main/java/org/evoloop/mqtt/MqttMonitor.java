@@ -116,7 +116,9 @@ public class MqttMonitor extends PushMonitor {
     }
 
     /**
-     * Sets the topic on which the device reports its state; what the broker has retained counts, too.
+     * Sets the topic on which the device reports its state; what the broker has retained counts, too. After a command
+     * that was {@linkplain MqttExecute#confirmedBy not confirmed} a report may be older than its effect, so a while only the
+     * one that confirms it counts.
      *
      * @param states of the original model, by payload
      */
@@ -126,7 +128,8 @@ public class MqttMonitor extends PushMonitor {
 
     /** As {@link #found(String, Map)}, with JSON and patterns. */
     public final MqttMonitor found(String topic, Meanings states) {
-        rules.add(topic, states, TopicRules.Use.STATE, state -> locate(state.name()));
+        Aftermath aftermath = connection.aftermath(topic);
+        rules.add(topic, states, TopicRules.Use.STATE, state -> aftermath.hear(state.name(), this::locate));
         return this;
     }
 

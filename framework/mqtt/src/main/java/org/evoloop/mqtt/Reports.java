@@ -3,7 +3,7 @@ package org.evoloop.mqtt;
 import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
-import java.util.function.Predicate;
+import java.util.function.Consumer;
 import org.evoloop.converter.UnknownEffectException;
 import org.evoloop.payload.Meanings;
 import org.evoloop.time.Clock;
@@ -19,7 +19,43 @@ final class Reports {
     private final TopicRules rules;
     private volatile @Nullable Wait current;
 
-    private record Wait(Predicate<String> wanted, Runnable then, CompletableFuture<String> state) {}
+    /** What is waited for. */
+    private static final class Wait {
+        private final String wanted;
+        private final Runnable then;
+        private final CompletableFuture<String> state = new CompletableFuture<>();
+        private boolean takesAny;
+        private @Nullable String newest;
+
+        private Wait(String wanted, Runnable then) {
+            this.wanted = wanted;
+            this.then = then;
+        }
+
+        private synchronized void hear(String reported) {
+            newest = reported;
+            if (!state.isDone() && (takesAny || wanted.equals(reported))) {
+                then.run();
+                state.complete(reported);
+            }
+        }
+
+        /** From now on any state will do, also the newest so far. */
+        private synchronized void takeAny() {
+            takesAny = true;
+            if (newest != null) {
+                hear(newest);
+            }
+        }
+
+        private synchronized void fail(String why) {
+            state.completeExceptionally(new IllegalStateException(why));
+        }
+
+        private synchronized boolean isAboutToTakeOne() {
+            return !takesAny && newest != null;
+        }
+    }
 
     Reports(MqttDevice device) {
         this.device = device;
@@ -35,15 +71,14 @@ final class Reports {
 
     private void hear(String state) {
         Wait wait = current;
-        if (wait != null && !wait.state().isDone() && wait.wanted().test(state)) {
-            wait.then().run();
-            wait.state().complete(state);
+        if (wait != null) {
+            wait.hear(state);
         }
     }
 
     private static void fail(@Nullable Wait wait, String why) {
         if (wait != null) {
-            wait.state().completeExceptionally(new IllegalStateException(why));
+            wait.fail(why);
         }
     }
 
@@ -53,16 +88,43 @@ final class Reports {
      * @param then run when it is reported, before anybody else hears of it
      * @throws UnknownEffectException if there is none within the limit, or the device is lost meanwhile
      */
-    String await(Message message, Predicate<String> wanted, Duration limit, Runnable then)
+    String await(Message message, String wanted, Duration limit, Runnable then)
             throws UnknownEffectException, InterruptedException {
-        Wait wait = new Wait(wanted, then, new CompletableFuture<>());
+        Wait wait = new Wait(wanted, then);
+        return await(message, wait, limit, wait::fail);
+    }
+
+    /**
+     * Publishes a question and waits for the answer.
+     *
+     * @param wanted the state that counts whenever it is reported
+     * @param from when others count, too; then the newest does, if one has been reported
+     * @throws UnknownEffectException if there is none within the limit, or the device is lost meanwhile
+     */
+    String ask(Message question, String wanted, Duration from, Duration limit)
+            throws UnknownEffectException, InterruptedException {
+        Wait wait = new Wait(wanted, () -> {});
+        Clock.Timer later = device.clock().schedule(from, wait::takeAny);
+        try {
+            return await(question, wait, limit, late -> {
+                if (!wait.isAboutToTakeOne()) {
+                    wait.fail(late);
+                }
+            });
+        } finally {
+            later.cancel();
+        }
+    }
+
+    private String await(Message message, Wait wait, Duration limit, Consumer<String> onLimit)
+            throws UnknownEffectException, InterruptedException {
         String late = "the device has not reported within " + limit.toMillis() + " ms what became of the message to "
                 + message.topic();
-        Clock.Timer timer = device.clock().schedule(limit, () -> fail(wait, late));
+        Clock.Timer timer = device.clock().schedule(limit, () -> onLimit.accept(late));
         current = wait;
         try {
             device.connection().publish(message);
-            return wait.state().get();
+            return wait.state.get();
         } catch (ExecutionException none) {
             Throwable cause = none.getCause();
             throw new UnknownEffectException(cause == null ? late : String.valueOf(cause.getMessage()), none);

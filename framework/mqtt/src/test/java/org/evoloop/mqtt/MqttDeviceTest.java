@@ -206,7 +206,10 @@ class MqttDeviceTest {
         clock.advance(LIMIT);
         owner.awaitHeard("ac/get", "?");
         report("off");
+        owner.awaitHeard(STATE, "off");
         awaitHistory("has not reported within 2000 ms");
+        assertThat(doubt()).isNotEmpty();
+        clock.advance(LIMIT);
         await().atMost(PATIENCE).until(() -> doubt().isEmpty());
         assertThat(record()).isEqualTo("Off");
         // It had only been late.
@@ -226,6 +229,40 @@ class MqttDeviceTest {
         report("cool");
         awaitRecord("Cool");
         await().atMost(PATIENCE).until(() -> doubt().isEmpty());
+    }
+
+    @Test
+    void aReportThatMayBeOlderThanTheCommandSettlesNothing() throws Exception {
+        open();
+        press("single");
+        awaitCommands(1);
+        clock.advance(LIMIT);
+        owner.awaitHeard("ac/get", "?");
+        report("dry");
+        report("off");
+        owner.publish("ac/availability", "offline", true);
+        awaitHistory("ac/availability says 'offline'");
+        assertThat(doubt()).isNotEmpty();
+        report("cool");
+        await().atMost(PATIENCE).until(() -> doubt().isEmpty());
+        assertThat(record()).isEqualTo("Cool");
+        clock.advance(LIMIT);
+        assertThat(record()).isEqualTo("Cool");
+    }
+
+    @Test
+    void aCommandThatIsNeverConfirmedHadNoEffectOnceItIsTooLateForOne() throws Exception {
+        open();
+        press("single");
+        awaitCommands(1);
+        clock.advance(LIMIT);
+        owner.awaitHeard("ac/get", "?");
+        clock.advance(LIMIT);
+        awaitHistory("the message to ac/get");
+        assertThat(doubt()).isNotEmpty();
+        report("off");
+        await().atMost(PATIENCE).until(() -> doubt().isEmpty());
+        assertThat(record()).isEqualTo("Off");
     }
 
     @Test
@@ -260,9 +297,9 @@ class MqttDeviceTest {
         assertThat(device.downSince()).contains(clock.wallTime());
         assertThat(device.readings()).isEmpty();
         assertThat(record()).isEqualTo("Off");
+        clock.advance(LIMIT);
         report("off");
         await().atMost(PATIENCE).until(() -> doubt().isEmpty());
-        clock.advance(BEEP);
         press("single");
         awaitHistory("so power was not sent");
         owner.publish("ac/availability", "online", true);

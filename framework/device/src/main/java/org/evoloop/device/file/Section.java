@@ -263,7 +263,12 @@ public final class Section {
         if (found instanceof Node.Entries entries) {
             return Optional.of(new Section(path(key), entries, problems));
         }
-        problems.at(found, path(key) + " is " + found.kind() + ", but takes keys with values, such as {KEY: VALUE}");
+        boolean isEmpty = found instanceof Node.Text text && text.isMissing();
+        problems.at(
+                found,
+                path(key)
+                        + (isEmpty ? " is empty; leave it out, or give it" : " is " + found.kind() + ", but takes")
+                        + " keys with values, such as {KEY: VALUE}");
         return Optional.empty();
     }
 

@@ -70,8 +70,8 @@ final class Yaml {
             problems.at(
                     root, "this is " + root.kind() + "; a device file has sections, such as connections: and device:");
         } catch (MarkedYamlEngineException malformed) {
-            Optional<Mark> place = malformed.getProblemMark().or(malformed::getContextMark);
-            problems.at(line(place), Optional.ofNullable(malformed.getProblem()).orElse("this is not YAML"));
+            Malformed place = Malformed.of(malformed, text);
+            problems.at(place.line(), place.mistake());
         } catch (NumberFormatException cutOff) {
             // The parser expects hexadecimal digits even where the file ends.
             problems.at(lines(text), "the file ends in the middle of an escape (\\u, \\x); write \\\\ for a backslash");
