@@ -4,6 +4,7 @@ import java.io.IOException;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
+import org.evoloop.function.NewFunction;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -77,6 +78,15 @@ public abstract class Connection {
     /** Something that a function or an effect does over this connection; it must not change the device's state. */
     public @Nullable Outward outward(Section action) {
         refuse(action, "is only for the device's events");
+        return null;
+    }
+
+    /**
+     * A function of a new state that runs at the other end of this connection; run only once the connection has been
+     * assembled.
+     */
+    public @Nullable NewFunction function(Node.Text state, Section section) {
+        refuse(section, "runs no functions");
         return null;
     }
 
