@@ -105,6 +105,21 @@ public abstract class Connection {
         return make(converter);
     }
 
+    /**
+     * As {@link #assemble}, with a simulation of what is at the other end; null if there is none, and the original model
+     * plays the device.
+     */
+    public final @Nullable Parts simulate(SystemEventConverter converter) throws IOException {
+        Parts simulated = makeSimulated(converter);
+        assembled = simulated != null;
+        return simulated;
+    }
+
+    /** As {@link #simulate}. */
+    protected @Nullable Parts makeSimulated(SystemEventConverter converter) throws IOException {
+        return null;
+    }
+
     /** As {@link #assemble}. */
     protected abstract Parts make(SystemEventConverter converter) throws IOException;
 }

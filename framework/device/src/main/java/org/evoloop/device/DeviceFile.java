@@ -58,7 +58,7 @@ public final class DeviceFile {
         this.path = path;
         this.name = models.converter();
         this.models = models;
-        this.pair = read.pair(models);
+        this.pair = models.models();
         this.references = read.references();
         this.properties = read.properties();
         this.guards = reader.guards;

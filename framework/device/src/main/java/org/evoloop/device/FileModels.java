@@ -49,6 +49,16 @@ public final class FileModels {
         this.problems = problems;
     }
 
+    /** Whether it is an event of the original model; without models, any is. */
+    public boolean isOfTheDevice(String event) {
+        return pair == null || pair.original().triggers().contains(new Event(event));
+    }
+
+    /** The models, once the whole file has been read; without any in the file, those that assume nothing. */
+    public ModelPair models() {
+        return pair == null ? free() : pair;
+    }
+
     /** The converter's name. */
     public String converter() {
         return converter;

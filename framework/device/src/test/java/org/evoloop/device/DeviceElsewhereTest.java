@@ -208,7 +208,8 @@ class DeviceElsewhereTest {
                 FAN.replace("AWAY", "gpio: true").replace("[speed]", "[sped]").replace("[calm]", "[clam]"));
         assertThatThrownBy(() -> DeviceFile.read(wrong, Options.of()))
                 .isInstanceOf(DeviceFileException.class)
-                .hasMessageContaining("fan.yaml:9: 'sped' is not an event that is sent to the device; did you mean speed?")
+                .hasMessageContaining(
+                        "fan.yaml:9: 'sped' is not an event that is sent to the device; did you mean speed?")
                 .hasMessageContaining("fan.yaml:9: the new model has no transition for 'clam' in Breeze")
                 .hasMessageContaining("fan.yaml:9: connection away, of the kind gpio, runs no functions");
     }
