@@ -3,6 +3,7 @@ module org.evoloop.roomba {
     requires static org.jspecify;
     requires ch.qos.logback.classic;
     requires ch.qos.logback.core;
+    requires org.evoloop.device;
     requires org.evoloop.program;
     requires org.evoloop.roomba.camera;
     requires org.evoloop.roomba.session;
@@ -12,4 +13,7 @@ module org.evoloop.roomba {
 
     opens org.evoloop.roomba to
             info.picocli;
+
+    provides org.evoloop.device.ConnectionKind with
+            org.evoloop.roomba.RoombaKind;
 }

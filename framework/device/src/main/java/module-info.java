@@ -4,7 +4,7 @@ module org.evoloop.device {
     requires transitive org.evoloop.core;
     requires org.evoloop.check;
     requires org.evoloop.config;
-    requires org.evoloop.console;
+    requires transitive org.evoloop.console;
     requires org.evoloop.gpio;
     requires org.evoloop.http;
     requires org.evoloop.line;

@@ -77,11 +77,7 @@ final class KnowledgeState extends StateKnowledge {
     }
 
     private NewFunction charge() {
-        return new RobotWork(
-                this::device,
-                "charging first, then going on",
-                RobotEvents.DOCK,
-                Set.of(RobotEvents.STATE_DOCK, RobotEvents.STATE_CHARGING, RobotEvents.STATE_CHARGED));
+        return new RobotWork(this::device, "charging first, then going on", RobotEvents.DOCK, RobotWork.DOCKING);
     }
 
     private State device() {

@@ -17,6 +17,10 @@ import org.evoloop.statemachine.State;
  */
 record RobotWork(Supplier<State> device, String words, String event, Set<String> underWay) implements NewFunction {
 
+    /** Where the robot docks or has docked. */
+    static final Set<String> DOCKING =
+            Set.of(RobotEvents.STATE_DOCK, RobotEvents.STATE_CHARGING, RobotEvents.STATE_CHARGED);
+
     @Override
     public void run(Visit visit) throws InterruptedException {
         visit.progress(words);

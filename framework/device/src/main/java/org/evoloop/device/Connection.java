@@ -4,6 +4,7 @@ import java.io.IOException;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
+import org.evoloop.function.NewFunction;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -80,6 +81,15 @@ public abstract class Connection {
         return null;
     }
 
+    /**
+     * A function of a new state that runs at the other end of this connection; run only once the connection has been
+     * assembled.
+     */
+    public @Nullable NewFunction function(Node.Text state, Section section) {
+        refuse(section, "runs no functions");
+        return null;
+    }
+
     /** Whether it is only played: nothing is ever sent over it, since no components have been made. */
     public final boolean isPlayed() {
         return !assembled;
@@ -93,6 +103,21 @@ public abstract class Connection {
     public final Parts assemble(SystemEventConverter converter) throws IOException {
         assembled = true;
         return make(converter);
+    }
+
+    /**
+     * As {@link #assemble}, with a simulation of what is at the other end; null if there is none, and the original model
+     * plays the device.
+     */
+    public final @Nullable Parts simulate(SystemEventConverter converter) throws IOException {
+        Parts simulated = makeSimulated(converter);
+        assembled = simulated != null;
+        return simulated;
+    }
+
+    /** As {@link #simulate}. */
+    protected @Nullable Parts makeSimulated(SystemEventConverter converter) throws IOException {
+        return null;
     }
 
     /** As {@link #assemble}. */

@@ -56,9 +56,9 @@ public final class DeviceFile {
 
     private DeviceFile(Path path, Reader reader, FileModels models, ModelReader read, Connections connections) {
         this.path = path;
-        this.name = reader.name;
+        this.name = models.converter();
         this.models = models;
-        this.pair = read.pair(models);
+        this.pair = models.models();
         this.references = read.references();
         this.properties = read.properties();
         this.guards = reader.guards;
@@ -82,7 +82,8 @@ public final class DeviceFile {
 
     static DeviceFile read(Section file, Problems problems, Options programOptions) {
         ModelReader read = ModelReader.read(file, problems);
-        FileModels models = new FileModels(read.known(), problems);
+        String name = file.need("converter").map(Node.Text::value).orElse("");
+        FileModels models = new FileModels(name, read.known(), problems);
         Connections connections = Connections.read(file, models);
         Reader reader = new Reader(file, models, connections);
         reader.read(programOptions);
@@ -197,14 +198,13 @@ public final class DeviceFile {
         private final FileModels models;
         private final Connections connections;
         private final FunctionReader functionReader;
-        private final Map<String, FileFunction> functions = new LinkedHashMap<>();
+        private final Map<String, FileKnowledge.Function> functions = new LinkedHashMap<>();
         private final Map<String, Effect.OfEvent> effects = new LinkedHashMap<>();
         private final Map<String, Integer> costs = new LinkedHashMap<>();
         private final Set<String> doNotPass = new LinkedHashSet<>();
         private final List<Scenario> scenarios = new ArrayList<>();
         private final List<OptionLine> options = new ArrayList<>();
         private LearnSection learning = LearnSection.NONE;
-        private final String name;
         private final Guards guards;
         private final FileKnowledge.Content content;
 
@@ -213,7 +213,6 @@ public final class DeviceFile {
             this.models = models;
             this.connections = connections;
             this.functionReader = new FunctionReader(models, connections);
-            this.name = file.need("converter").map(Node.Text::value).orElse("");
             this.guards = Guards.read(file, models);
             this.content = new FileKnowledge.Content(functions, guards.all(), effects, costs, doNotPass);
         }
@@ -226,7 +225,7 @@ public final class DeviceFile {
             });
             file.named("functions").forEach((state, section) -> {
                 models.newState(state);
-                functions.put(state.value(), functionReader.function(state, section));
+                functionReader.function(state, section).ifPresent(function -> functions.put(state.value(), function));
             });
             file.section("effects").ifPresent(all -> all.keys().forEach(text -> effect(all, text)));
             file.section("learn").ifPresent(learn -> learning = LearnSection.read(learn, models));

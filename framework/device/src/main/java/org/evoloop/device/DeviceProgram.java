@@ -3,6 +3,7 @@ package org.evoloop.device;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.evoloop.config.Option;
 import org.evoloop.config.Options;
@@ -26,8 +27,9 @@ import org.evoloop.testkit.SimulatedDevice;
  * @since 0.1
  */
 public final class DeviceProgram {
-    private static final Option<Boolean> SIMULATE =
-            Option.flag("simulate", "Plays the device by its model, and opens no connection.");
+    private static final Option<Boolean> SIMULATE = Option.flag(
+            "simulate",
+            "Plays the device by its model, or by a simulation that a connection has, and opens no other connection.");
 
     private final DeviceFile file;
 
@@ -74,7 +76,9 @@ public final class DeviceProgram {
     private void assemble(ProgramSetup setup) throws IOException {
         setup.controller(new PushMonitor("Console"));
         // What is only shown touches no device.
-        if (setup.settings().isOn(SIMULATE) || setup.settings().isOnlyShown()) {
+        if (setup.settings().isOnlyShown()) {
+            play(setup);
+        } else if (setup.settings().isOn(SIMULATE)) {
             simulate(setup);
         } else {
             connect(setup);
@@ -82,7 +86,17 @@ public final class DeviceProgram {
         setup.knowledge(file::knowledge);
     }
 
-    private void simulate(ProgramSetup setup) {
+    /** With what a connection has as a simulation, else by the model. */
+    private void simulate(ProgramSetup setup) throws IOException {
+        Optional<List<DeviceLink>> links = Wiring.simulate(file, setup.converter(), parts -> add(parts, setup));
+        if (links.isPresent()) {
+            file.guards().attach(setup.clock(), links.get());
+        } else {
+            play(setup);
+        }
+    }
+
+    private void play(ProgramSetup setup) {
         SimulatedDevice device = file.simulated();
         device.addTo(setup.converter(), setup.clock());
         file.guards().attach(setup.clock(), List.of());
@@ -97,10 +111,13 @@ public final class DeviceProgram {
     }
 
     private void connect(ProgramSetup setup) throws IOException {
-        List<DeviceLink> links = Wiring.add(file, setup.converter(), parts -> {
-            setup.closing(parts.close()::run);
-            setup.onOpen(parts.open()::open);
-        });
+        List<DeviceLink> links = Wiring.add(file, setup.converter(), parts -> add(parts, setup));
         file.guards().attach(setup.clock(), links);
+    }
+
+    private static void add(Parts parts, ProgramSetup setup) {
+        setup.closing(parts.close()::run);
+        setup.onOpen(parts.open()::open);
+        parts.commands().forEach(setup::command);
     }
 }

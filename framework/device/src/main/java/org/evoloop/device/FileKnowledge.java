@@ -24,11 +24,18 @@ final class FileKnowledge extends StateKnowledge {
      * @param doNotPass states of the original model
      */
     record Content(
-            Map<String, FileFunction> functions,
+            Map<String, Function> functions,
             Map<String, Predicate<Values>> guards,
             Map<String, Effect.OfEvent> effects,
             Map<String, Integer> costs,
             Set<String> doNotPass) {}
+
+    /**
+     * The function of a state.
+     *
+     * @param sends the events that it may send to the device
+     */
+    record Function(NewFunction runs, Set<String> sends) {}
 
     FileKnowledge(ModelPair models, Content content) {
         super(models);
@@ -38,7 +45,7 @@ final class FileKnowledge extends StateKnowledge {
     @Override
     protected void registerNewFunctions() {
         content.functions().forEach((state, function) -> {
-            function(state, function);
+            function(state, function.runs());
             function.sends().forEach(event -> sends(state, event));
         });
         for (State state : models().evolved().states()) {

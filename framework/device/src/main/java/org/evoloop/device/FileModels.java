@@ -28,6 +28,7 @@ import org.jspecify.annotations.Nullable;
 public final class FileModels {
     private static final String ONLY_STATE = "Any";
 
+    private final String converter;
     private final @Nullable ModelPair pair;
     private final Problems problems;
     private final Set<String> sent = new LinkedHashSet<>();
@@ -38,12 +39,29 @@ public final class FileModels {
     private final List<Node.Text> sentByFunctions = new ArrayList<>();
 
     /**
+     * @param converter the converter's name
      * @param pair null if the file has no models: then every event is known
      * @param problems receives the mistakes
      */
-    FileModels(@Nullable ModelPair pair, Problems problems) {
+    FileModels(String converter, @Nullable ModelPair pair, Problems problems) {
+        this.converter = converter;
         this.pair = pair;
         this.problems = problems;
+    }
+
+    /** Whether it is an event of the original model; without models, any is. */
+    public boolean isOfTheDevice(String event) {
+        return pair == null || pair.original().triggers().contains(new Event(event));
+    }
+
+    /** The models, once the whole file has been read; without any in the file, those that assume nothing. */
+    public ModelPair models() {
+        return pair == null ? free() : pair;
+    }
+
+    /** The converter's name. */
+    public String converter() {
+        return converter;
     }
 
     /** An event that is sent to the device. */

@@ -4,11 +4,15 @@ import java.time.Duration;
 import java.time.LocalTime;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
+import org.evoloop.function.NewFunction;
 import org.jspecify.annotations.Nullable;
 
 /** Reads what functions and effects of a device file do. */
@@ -23,8 +27,30 @@ final class FunctionReader {
         this.connections = connections;
     }
 
-    /** The function of {@code state}. */
-    FileFunction function(Node.Text state, Section section) {
+    /** The function of {@code state}; empty if it cannot be used, which is noted. */
+    Optional<FileKnowledge.Function> function(Node.Text state, Section section) {
+        Optional<FileKnowledge.Function> function = section.has("elsewhere")
+                ? elsewhere(state, section)
+                : Optional.of(actions(state, section))
+                        .map(actions -> new FileKnowledge.Function(actions, actions.sends()));
+        section.done();
+        return function;
+    }
+
+    /** A function of a connection: {@code elsewhere: CONNECTION}. */
+    private Optional<FileKnowledge.Function> elsewhere(Node.Text state, Section section) {
+        Set<String> sends = new LinkedHashSet<>();
+        section.texts("sends").forEach(event -> sends.add(models.functionSends(event)));
+        section.texts("raises").forEach(event -> models.raisedIn(state, event));
+        Connection connection = connections.named(section, "elsewhere");
+        NewFunction runs = connection == null ? null : connection.function(state, section);
+        return connection == null || runs == null
+                ? Optional.empty()
+                : Optional.of(new FileKnowledge.Function(new PlayableFunction(connection, runs), sends));
+    }
+
+    /** What the file itself says. */
+    private FileFunction actions(Node.Text state, Section section) {
         List<Action> steps = new ArrayList<>(actions(state, section, "on-enter"));
         steps.addAll(actions(state, section, "steps"));
         Duration period = section.period("every").orElse(null);
@@ -56,7 +82,6 @@ final class FunctionReader {
                         "when a state has been left, its function can only act outside: to a connection, or run a program");
             }
         }
-        section.done();
         return new FileFunction(steps, period, repeated, daily, onExit);
     }
 

@@ -8,18 +8,21 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.regex.Pattern;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
+import org.evoloop.function.NewFunction;
 import org.evoloop.line.LineConnection;
 import org.evoloop.line.LineExecute;
 import org.evoloop.line.LineMonitor;
 import org.evoloop.line.LineTransport;
 import org.evoloop.payload.Match;
 import org.evoloop.payload.Meanings;
+import org.evoloop.payload.RemoteFunction;
 import org.jspecify.annotations.Nullable;
 
 /** A connection that exchanges lines of text, made of a {@link LineMonitor} and a {@link LineExecute}. */
@@ -31,6 +34,9 @@ final class LineFileConnection extends Connection {
     private final List<Consumer<LineExecute>> duties = new ArrayList<>();
     private final Map<String, String> lines = new LinkedHashMap<>();
     private final Map<String, String> states = new LinkedHashMap<>();
+
+    private final Map<String, RemoteFunction> functions = new ConcurrentHashMap<>();
+    private final List<String> functionsOf = new ArrayList<>();
 
     private boolean sends;
     private volatile @Nullable LineConnection opened;
@@ -167,6 +173,12 @@ final class LineFileConnection extends Connection {
     }
 
     @Override
+    public NewFunction function(Node.Text state, Section section) {
+        functionsOf.add(state.value());
+        return visit -> requireNonNull(functions.get(state.value())).run(visit);
+    }
+
+    @Override
     protected Parts make(SystemEventConverter converter) {
         if (transport == null) {
             throw new IllegalStateException("the address of " + name() + " was refused");
@@ -174,6 +186,7 @@ final class LineFileConnection extends Connection {
         LineConnection connection = new LineConnection(transport, converter.clock());
         settings.forEach(each -> each.accept(connection));
         opened = connection;
+        functionsOf.forEach(state -> functions.put(state, new RemoteFunction(connection.functions())));
         LineMonitor monitor = new LineMonitor(name(), connection);
         rules.forEach(each -> each.accept(monitor));
         List<LineExecute> executes = new ArrayList<>();

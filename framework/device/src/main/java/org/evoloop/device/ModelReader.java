@@ -85,9 +85,4 @@ record ModelReader(
     private static ModelReference reference(Node.Text written, Path file) {
         return ModelReference.parse(file.resolveSibling(written.value()).toString());
     }
-
-    /** The models; if the file has none, those that assume nothing. */
-    ModelPair pair(FileModels models) {
-        return known != null ? known : models.free();
-    }
 }

@@ -9,26 +9,33 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.regex.Pattern;
 import org.evoloop.config.Secret;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
+import org.evoloop.function.NewFunction;
 import org.evoloop.mqtt.BrokerAddress;
 import org.evoloop.mqtt.BrokerConnection;
 import org.evoloop.mqtt.Message;
 import org.evoloop.mqtt.MqttDevice;
 import org.evoloop.mqtt.MqttExecute;
+import org.evoloop.mqtt.MqttFunctions;
 import org.evoloop.mqtt.MqttMonitor;
 import org.evoloop.payload.Match;
 import org.evoloop.payload.Meanings;
 import org.evoloop.payload.Part;
+import org.evoloop.payload.RemoteFunction;
 import org.evoloop.payload.Template;
 import org.jspecify.annotations.Nullable;
 
 /** A device or a controller behind an MQTT broker, made of a {@link MqttMonitor} and a {@link MqttExecute}. */
 final class MqttFileConnection extends Connection {
+    private static final Pattern NOT_IN_A_LEVEL = Pattern.compile("[+#/\\u0000]");
+
     private final FileModels models;
     private final @Nullable BrokerAddress address;
     private final @Nullable String commandTopic;
@@ -38,6 +45,8 @@ final class MqttFileConnection extends Connection {
     private final List<Consumer<MqttExecute>> duties = new ArrayList<>();
     private final Map<String, Message> messages = new LinkedHashMap<>();
     private final List<StateRule> states = new ArrayList<>();
+    private final Map<String, RemoteFunction> functions = new ConcurrentHashMap<>();
+    private final Map<String, String> functionTopics = new LinkedHashMap<>();
     private boolean sends;
     private boolean infers;
     private volatile @Nullable BrokerConnection opened;
@@ -217,6 +226,19 @@ final class MqttFileConnection extends Connection {
                 };
     }
 
+    /** Its topics begin with {@code topic}, or {@code evoloop/CONVERTER/function/STATE}. */
+    @Override
+    public NewFunction function(Node.Text state, Section section) {
+        String topic = topic(section, "topic");
+        functionTopics.put(state.value(), topic == null ? usualTopic(models.converter(), state.value()) : topic);
+        return visit -> requireNonNull(functions.get(state.value())).run(visit);
+    }
+
+    private static String usualTopic(String converter, String state) {
+        return "evoloop/" + NOT_IN_A_LEVEL.matcher(converter).replaceAll("_") + "/function/"
+                + NOT_IN_A_LEVEL.matcher(state).replaceAll("_");
+    }
+
     @Override
     protected Parts make(SystemEventConverter converter) {
         if (address == null) {
@@ -227,6 +249,8 @@ final class MqttFileConnection extends Connection {
         opened = connection;
         MqttDevice device = new MqttDevice(connection, converter.clock());
         settings.forEach(each -> each.accept(device));
+        functionTopics.forEach(
+                (state, topic) -> functions.put(state, new RemoteFunction(new MqttFunctions(device, topic))));
         MqttMonitor monitor = new MqttMonitor(name(), device);
         rules.forEach(each -> each.accept(monitor));
         if (infers) {

@@ -2,6 +2,7 @@ package org.evoloop.device;
 
 import java.io.IOException;
 import java.util.List;
+import org.evoloop.console.ConsoleCommand;
 import org.evoloop.converter.DeviceLink;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.EventMonitor;
@@ -15,6 +16,7 @@ import org.jspecify.annotations.Nullable;
  * @param link for the status; null if there is nothing to show
  * @param open opens it, without waiting for the other end
  * @param close ends it; idempotent
+ * @param commands further ones of the console
  * @since 0.1
  */
 public record Parts(
@@ -22,7 +24,8 @@ public record Parts(
         List<? extends EventExecute> executes,
         @Nullable DeviceLink link,
         Opening open,
-        Runnable close) {
+        Runnable close,
+        List<ConsoleCommand> commands) {
 
     /** Opens a connection. */
     @FunctionalInterface
@@ -38,5 +41,16 @@ public record Parts(
     public Parts {
         monitors = List.copyOf(monitors);
         executes = List.copyOf(executes);
+        commands = List.copyOf(commands);
+    }
+
+    /** Without commands. */
+    public Parts(
+            List<? extends EventMonitor> monitors,
+            List<? extends EventExecute> executes,
+            @Nullable DeviceLink link,
+            Opening open,
+            Runnable close) {
+        this(monitors, executes, link, open, close, List.of());
     }
 }

@@ -3,6 +3,7 @@ package org.evoloop.device;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import org.evoloop.converter.DeviceLink;
 import org.evoloop.converter.SystemEventConverter;
@@ -20,11 +21,33 @@ final class Wiring {
      */
     static List<DeviceLink> add(DeviceFile file, SystemEventConverter converter, Consumer<Parts> each)
             throws IOException {
-        List<DeviceLink> links = new ArrayList<>();
+        List<Parts> all = new ArrayList<>();
         for (Connection connection : file.connections()) {
             Parts parts = connection.assemble(converter);
             // First, so that they are closed if what follows fails.
             each.accept(parts);
+            all.add(parts);
+        }
+        return add(all, converter);
+    }
+
+    /** As {@link #add}, of connections that simulate what is at their other end; empty if none does. */
+    static Optional<List<DeviceLink>> simulate(DeviceFile file, SystemEventConverter converter, Consumer<Parts> each)
+            throws IOException {
+        List<Parts> all = new ArrayList<>();
+        for (Connection connection : file.connections()) {
+            Parts parts = connection.simulate(converter);
+            if (parts != null) {
+                each.accept(parts);
+                all.add(parts);
+            }
+        }
+        return all.isEmpty() ? Optional.empty() : Optional.of(add(all, converter));
+    }
+
+    private static List<DeviceLink> add(List<Parts> all, SystemEventConverter converter) {
+        List<DeviceLink> links = new ArrayList<>();
+        for (Parts parts : all) {
             parts.monitors().forEach(converter::addMonitor);
             parts.executes().forEach(converter::addExecute);
             if (parts.link() != null) {

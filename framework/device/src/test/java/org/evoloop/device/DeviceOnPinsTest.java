@@ -66,7 +66,7 @@ class DeviceOnPinsTest {
     }
 
     private Connection read(String text) {
-        FileModels models = new FileModels(pair, problems);
+        FileModels models = new FileModels("heater", pair, problems);
         Section file = Section.parse(text, problems);
         Connection pins = new GpioKind(() -> Pins.of(mock)).read("pins", section(file, "pins"), models);
         for (String event : List.of("power", "heat", "cool")) {

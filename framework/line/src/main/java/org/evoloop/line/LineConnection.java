@@ -12,6 +12,7 @@ import org.evoloop.converter.UnknownEffectException;
 import org.evoloop.function.Reading;
 import org.evoloop.payload.Part;
 import org.evoloop.payload.Readings;
+import org.evoloop.payload.RemoteFunction;
 import org.evoloop.time.Clock;
 
 /**
@@ -95,6 +96,14 @@ public final class LineConnection implements DeviceLink, AutoCloseable {
     public LineConnection reading(String name, Part part, String unit) {
         readings.add("", name, part, unit);
         return this;
+    }
+
+    /**
+     * The program at the other end as one that runs functions: {@code new RemoteFunction(connection.functions())}, before
+     * {@link #open}.
+     */
+    public RemoteFunction.Channel functions() {
+        return new LineFunctions(this, wire);
     }
 
     /** Measures limits and pauses. */
