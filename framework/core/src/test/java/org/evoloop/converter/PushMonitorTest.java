@@ -103,10 +103,12 @@ class PushMonitorTest {
             for (int event = 0; event < 1_024; event++) {
                 monitor.push(monitor.fromDevice("e" + event));
             }
-            assertThat(log.lines()).isEmpty();
+            assertThat(log.lines()).noneMatch(line -> line.startsWith("Panel"));
             monitor.push(monitor.fromDevice("e1024"));
             monitor.push(monitor.fromDevice("e1025"));
+            // Converters of earlier tests may still have something to say.
             assertThat(log.lines())
+                    .filteredOn(line -> line.startsWith("Panel"))
                     .containsExactly(
                             "Panel reports more than 1024 events before its converter is built; the oldest are lost");
         }
