@@ -173,14 +173,13 @@ class TwoConvertersTest {
 
     @Test
     void withoutThreadsTheUpperOneTakesTheStepsOfTheLowerOne() throws InterruptedException {
-        ManualClock clock = new ManualClock();
         PushMonitor control = new PushMonitor("Remote");
         PushMonitor own = new PushMonitor("Own");
         Lamp bulb = new Lamp();
         try (SystemEventConverter below = new SystemEventConverter(
-                        LoopConfig.defaults("below", clock).withoutThreads());
+                        LoopConfig.defaults("below", new ManualClock()).withoutThreads());
                 SystemEventConverter above = new SystemEventConverter(
-                        LoopConfig.defaults("above", clock).withoutThreads())) {
+                        LoopConfig.defaults("above", new ManualClock()).withoutThreads())) {
             below.addMonitor(own);
             below.addExecute(bulb);
             below.addKnowledge(new Knowledge(new ModelPair(LAMP, WARM), "Warm"));
