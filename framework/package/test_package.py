@@ -14,6 +14,7 @@ import shlex
 import shutil
 import subprocess
 import tarfile
+import tempfile
 import time
 import unittest
 from collections.abc import Callable
@@ -89,6 +90,34 @@ class ContentTest(unittest.TestCase):
         self.assertTrue(first == PACKAGE.read_bytes(), "the package differs from one build to the next")
 
 
+class PreparedTest(unittest.TestCase):
+    """Which form of preparation the JVM gets, with one that only says its version."""
+
+    JAVA = """#!/bin/sh
+    case "$*" in *-version*) echo 'openjdk version "VERSION" 2026-01-01' >&2; exit ;; esac
+    for each; do case "$each" in -XX:AOTCacheOutput=* | -XX:SharedArchiveFile=*) echo x >"${each#*=}" ;; esac; done
+    """
+
+    def prepared(self, version: str) -> list[str]:
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            scripts = PROJECT / "framework/package/root/usr/lib/evoloop"
+            for script in ("common", "prepare-classes"):
+                text = (scripts / script).read_text().replace("/var/cache/evoloop", name)
+                (folder / script).write_text(text.replace("/usr/lib/evoloop", name))
+            java = folder / "java"
+            java.write_text(self.JAVA.replace("VERSION", version))
+            java.chmod(0o755)
+            subprocess.run(["sh", folder / "prepare-classes"], check=True, env={"PATH": f"{name}:/usr/bin:/bin"})
+            return sorted(path.name for path in folder.iterdir() if path.name.startswith("evoloop-models"))
+
+    def test_a_jvm_of_25_or_newer_gets_an_aot_cache_and_an_older_one_an_archive(self) -> None:
+        for version in ("25", "25.0.3", "26-ea"):
+            self.assertEqual(self.prepared(version), ["evoloop-models.aot"], version)
+        for version in ("17.0.15", "21.0.2", "24"):
+            self.assertEqual(self.prepared(version), ["evoloop-models.jsa"], version)
+
+
 @unittest.skipUnless(ROOTS, "the Debians are made by ./evoloop test --package, which needs root and debootstrap")
 class DebianTest(unittest.TestCase):
     def setUp(self) -> None:
@@ -139,12 +168,22 @@ class DebianTest(unittest.TestCase):
         self.assertIn("/tmp/é", self.do(root, "env -u LC_ALL evoloop lightbulb --journal /tmp/é --print-config"))
         self.assertIn("names no program", self.do(root, "echo 'x: y' > /etc/evoloop/x.yaml; evoloop run x", status=2))
         self.do(root, "rm /etc/evoloop/x.yaml")
+        self.run_a_device_file(root)
         self.do(root, "systemd-analyze verify evoloop@roomba.service")
         score = self.do(root, "systemd-analyze security --offline=yes evoloop@roomba.service | tail -1")
         self.assertLess(float(re.search(r"level for \S+: ([\d.]+)", score).group(1)), 3)  # type: ignore[union-attr]
         if root in OWN_ROOTS:
             # It examines only the package, slowly on an emulated processor.
             self.assertEqual(self.do(root, "lintian --allow-root --fail-on error,warning /tmp/evoloop.deb"), "")
+
+    def run_a_device_file(self, root: Path) -> None:
+        bulb = "/usr/share/evoloop/devices/light-bulb"
+        self.assertIn("passed: switched twice", self.do(root, f"evoloop check {bulb}/light-bulb.yaml"))
+        self.do(root, "evoloop check /usr/share/evoloop/devices/roomba/roomba.yaml")
+        self.do(root, f"cp {bulb}/README.md /etc/evoloop/ && cp {bulb}/light-bulb.yaml /etc/evoloop/bulb.yaml")
+        said = self.do(root, "evoloop run bulb --simulate", given="press switch\nhistory\nexit\n")
+        self.assertNotIn("error", said)
+        self.do(root, "rm /etc/evoloop/bulb.yaml /etc/evoloop/README.md")
 
     def completed(self, root: Path, *words: str) -> list[str]:
         """What bash completes the last word to."""
