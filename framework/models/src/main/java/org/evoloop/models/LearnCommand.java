@@ -25,7 +25,7 @@ import org.evoloop.learn.Learned;
 import org.evoloop.learn.Learner;
 import org.evoloop.learn.LookExecute;
 import org.evoloop.models.flat.AstahWriter;
-import org.evoloop.models.flat.FlatDrawing;
+import org.evoloop.statechart.FlatDrawing;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.StateMachine;
