@@ -6,8 +6,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.ZoneId;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.NoSuchElementException;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import org.evoloop.console.Console;
@@ -31,6 +33,7 @@ import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
+import org.evoloop.xmi.ModelReference;
 import org.evoloop.xmi.ModelWriter;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
@@ -66,6 +69,13 @@ final class LearnCommand implements Callable<Integer> {
     private Path output;
 
     @Option(
+            names = "--from",
+            paramLabel = "MODEL#NAME",
+            description =
+                    "A model of the device, which is tested instead of learning from nothing; the differences are named.")
+    private @Nullable String from;
+
+    @Option(
             names = "--budget",
             paramLabel = "TIME",
             defaultValue = "1 d",
@@ -92,8 +102,12 @@ final class LearnCommand implements Callable<Integer> {
         LearnSettings settings =
                 new LearnSettings(time("--longest", longest), time("--budget", budget), LearnSettings.USUAL.depth());
         DeviceFile device = DeviceFile.read(file, DeviceProgram.options());
-        Learned learned = learn(device, settings);
+        StateMachine declared = from == null ? null : declared(from, device);
+        Learned learned = learn(device, settings, declared);
         report(learned);
+        if (declared != null) {
+            compare(learned, declared, settings);
+        }
         if (learned.states().isEmpty()) {
             return 1;
         }
@@ -111,6 +125,28 @@ final class LearnCommand implements Callable<Integer> {
         return ending;
     }
 
+    private static StateMachine declared(String reference, DeviceFile device) {
+        StateMachine model = ModelReference.parse(reference).load();
+        Set<String> known =
+                model.triggers().stream().map(Event::name).collect(Collectors.toCollection(LinkedHashSet::new));
+        if (device.sent().stream().noneMatch(known::contains)) {
+            throw new IllegalArgumentException(
+                    "--from " + reference + " has none of the events that " + device.name() + " is sent: "
+                            + String.join(", ", device.sent().stream().sorted().toList()));
+        }
+        return model;
+    }
+
+    private void compare(Learned learned, StateMachine declared, LearnSettings settings) {
+        PrintWriter out = spec.commandLine().getOut();
+        List<String> differences = learned.differences(declared, settings.longest());
+        differences.forEach(line -> out.println("differs: " + line));
+        if (differences.isEmpty()) {
+            out.println("as " + from + " declares, as far as it was tried");
+        }
+        out.flush();
+    }
+
     private static Duration time(String option, String text) {
         try {
             return new Event("tm(" + text + ")").timeTrigger().orElseThrow();
@@ -120,24 +156,20 @@ final class LearnCommand implements Callable<Integer> {
         }
     }
 
-    private Learned learn(DeviceFile device, LearnSettings settings) throws IOException {
+    private Learned learn(DeviceFile device, LearnSettings settings, @Nullable StateMachine declared)
+            throws IOException {
         LearnSection section = device.learning();
         PushMonitor buttons = new PushMonitor("Learner");
         try (Clock clock = new SystemClock();
                 AnswerLog log = log(device.name());
                 DeviceConverter opened = DeviceConverter.open(
                         device, device.free(LookExecute.LOOK, LookExecute.SEEN), clock, buttons, new LookExecute())) {
-            ConverterDevice port =
-                    new ConverterDevice(opened.converter(), buttons, section.home(), section.reset(), section.settle());
-            return new Learner(
-                            port,
-                            device.sent().stream().sorted().toList(),
-                            rules(section),
-                            settings,
-                            clock,
-                            log,
-                            progress())
-                    .learn();
+            LearnRules rules = rules(section);
+            ConverterDevice port = new ConverterDevice(
+                    opened.converter(), buttons, rules, section.home(), section.reset(), section.settle());
+            Learner learner = new Learner(
+                    port, device.sent().stream().sorted().toList(), rules, settings, clock, declared, log, progress());
+            return Interruptible.call(learner::learn);
         }
     }
 

@@ -112,8 +112,12 @@ class LearnCommandTest {
         int status = learn(
                 ", never: clear", "--output=" + model, "--longest=50 ms", "--journal=" + folder.resolve("answers"));
 
-        assertThat(out.toString()).contains("Off --dim--> Off: refused, seen ", "tested to depth 1");
-        assertThat(status).isZero();
+        assertThat(out.toString())
+                .contains(
+                        "Off --dim--> Off: refused, seen ",
+                        "tested to depth 1",
+                        "open: clear was not tried: a rule forbids it");
+        assertThat(status).isEqualTo(1);
         assertThat(received).doesNotContain("CLR");
         assertThat(state).isNotEmpty();
         assertThat(ModelReference.parse(model + "#original").load().transitions())
@@ -131,8 +135,36 @@ class LearnCommandTest {
                         "--output=" + folder.resolve("again.scxml"),
                         "--longest=50 ms",
                         "--journal=" + folder.resolve("answers")))
-                .isZero();
+                .isEqualTo(1);
         assertThat(received.subList(before, received.size())).doesNotContain("PWR", "DIM");
+    }
+
+    @Test
+    void aDeclaredModelIsTestedAndWhatDiffersIsNamed() throws IOException {
+        Path drawn = folder.resolve("drawn.mmd");
+        Files.writeString(drawn, """
+                stateDiagram-v2
+                    [*] --> Off
+                    Off --> Bright : power
+                    Bright --> Off : power
+                    Bright --> Dim : dim
+                    Dim --> Bright : dim
+                """);
+        String[] options = {"--output=" + folder.resolve("dimmer.mmd"), "--longest=50 ms", "--from=" + drawn};
+
+        assertThat(learn("", options)).isZero();
+        assertThat(out.toString()).contains("differs: Dim --power--> Off is not declared");
+
+        out.getBuffer().setLength(0);
+        Files.writeString(drawn, Files.readString(drawn) + "    Dim --> Off : power\n");
+        assertThat(learn("", options)).isZero();
+        assertThat(out.toString())
+                .contains("tested to depth 0", "as " + drawn + " declares, as far as it was tried")
+                .doesNotContain("differs");
+
+        Files.writeString(drawn, "stateDiagram-v2\n[*] --> A\nA --> B : other\n");
+        assertThat(learn("", options)).isEqualTo(2);
+        assertThat(err.toString()).contains("has none of the events that dimmer is sent: clear, dim, power");
     }
 
     @Test
