@@ -58,8 +58,18 @@ final class LearnCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
-    @Parameters(paramLabel = "FILE.yaml", description = "The device file. Its section learn has the rules.")
-    private Path file;
+    @Parameters(
+            arity = "0..1",
+            paramLabel = "FILE.yaml",
+            description = "The device file. Its section learn has the rules.")
+    private @Nullable Path file;
+
+    @Option(
+            names = "--from-journal",
+            arity = "1..*",
+            paramLabel = "DIR",
+            description = "Operates no device: proposes what its converter's journals show, and claims no more.")
+    private List<Path> journals = List.of();
 
     @Option(
             names = "--output",
@@ -99,9 +109,17 @@ final class LearnCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         String ending = ending();
+        if (!journals.isEmpty()) {
+            return fromJournals(ending);
+        }
+        Path described = file;
+        if (described == null) {
+            throw new IllegalArgumentException(
+                    "name a device file, or the journals of its converter by --from-journal");
+        }
         LearnSettings settings =
                 new LearnSettings(time("--longest", longest), time("--budget", budget), LearnSettings.USUAL.depth());
-        DeviceFile device = DeviceFile.read(file, DeviceProgram.options());
+        DeviceFile device = DeviceFile.read(described, DeviceProgram.options());
         StateMachine declared = from == null ? null : declared(from, device);
         Learned learned = learn(device, settings, declared);
         report(learned);
@@ -111,8 +129,25 @@ final class LearnCommand implements Callable<Integer> {
         if (learned.states().isEmpty()) {
             return 1;
         }
-        Files.writeString(output, written(learned, ending));
+        List<String> lines =
+                learned.edges().stream().map(Learned.Arrow::toString).toList();
+        Files.writeString(output, written(learned.model(ORIGINAL), lines, ending));
         return learned.isTested() ? 0 : 1;
+    }
+
+    private int fromJournals(String ending) throws IOException {
+        if (file != null) {
+            throw new IllegalArgumentException("with --from-journal no device is operated; leave out " + file);
+        }
+        JournalLearning learning =
+                new JournalLearning(journals, spec.commandLine().getOut());
+        StateMachine machine = learning.propose(
+                from == null ? null : ModelReference.parse(from).load(), ORIGINAL);
+        if (machine == null) {
+            return 1;
+        }
+        Files.writeString(output, written(machine, learning.seen(), ending));
+        return learning.isClear() ? 0 : 1;
     }
 
     private String ending() {
@@ -219,17 +254,14 @@ final class LearnCommand implements Callable<Integer> {
         out.flush();
     }
 
-    private static String written(Learned learned, String ending) {
-        StateMachine machine = learned.model(ORIGINAL);
+    /** With comments that say how often each transition was seen, where the format has comments. */
+    private static String written(StateMachine machine, List<String> seen, String ending) {
         return switch (ending) {
             case "xml" -> AstahWriter.write(machine);
             case "scxml" -> ModelWriter.SCXML.write(FlatDrawing.of(machine));
-            default -> ModelWriter.MERMAID.write(FlatDrawing.of(machine)) + seen(learned);
+            default ->
+                ModelWriter.MERMAID.write(FlatDrawing.of(machine))
+                        + seen.stream().map(line -> "%% " + line + "\n").collect(Collectors.joining());
         };
-    }
-
-    /** Comments that say how often each transition was seen. */
-    private static String seen(Learned learned) {
-        return learned.edges().stream().map(edge -> "%% " + edge + "\n").collect(Collectors.joining());
     }
 }
