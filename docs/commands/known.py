@@ -238,6 +238,29 @@ KNOWN = [
     Known("./evoloop ctl my-fan status", why_not=FOLLOWED),
     Known("./evoloop ctl my-fan exit", why_not=FOLLOWED),
     typed("./evoloop new heater", shows="wrote heater/heater.yaml"),
+    Known(
+        "./evoloop learn --from-journal journal --output fan.mmd",
+        run="./evoloop learn --help",
+        shows="--from-journal",
+    ),
+    Known(
+        './evoloop learn devices/kettle/kettle.yaml --output kettle.mmd --longest "2 s"',
+        run='./evoloop learn devices/kettle/kettle.yaml --output target/kettle-1.mmd --longest "2 s"',
+        shows="Boiling --boiled--> Warm",
+    ),
+    Known(
+        "./evoloop models check kettle.mmd#original devices/kettle/README.md#new",
+        run='./evoloop learn devices/kettle/kettle.yaml --output target/kettle-2.mmd --longest "2 s" && '
+        "./evoloop models check target/kettle-2.mmd#original devices/kettle/README.md#new",
+        shows="nothing found",
+    ),
+    Known(
+        "./evoloop run devices/kettle/kettle.yaml --start",
+        run='./evoloop learn devices/kettle/kettle.yaml --output target/kettle-3.mmd --longest "2 s" && '
+        "(sleep 5; echo 'evolve devices/kettle/README.md#new --original target/kettle-3.mmd#original'; sleep 2; "
+        "echo press tea; sleep 3; echo history; sleep 1; echo exit) | ./evoloop run devices/kettle/kettle.yaml --start",
+        shows="(Off, Off) -> (Boiling, Boiling)  handled: power, boil",
+    ),
     Known("./evoloop learn FILE.yaml --output fan.mmd", run="./evoloop learn --help", shows="--longest"),
     typed("./evoloop check heater/heater.yaml", shows="passed: after ten minutes it is switched off"),
     typed("./evoloop run heater/heater.yaml --simulate", input="start\npress timed\nexit\n"),

@@ -3,6 +3,7 @@ package org.evoloop.console;
 import java.time.Instant;
 import java.util.Locale;
 import org.evoloop.converter.ConverterStatus;
+import org.evoloop.converter.Drift;
 import org.evoloop.loop.ComponentStatus;
 import org.evoloop.payload.JsonObject;
 import org.jspecify.annotations.Nullable;
@@ -27,6 +28,8 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code evolution}: which models took over from which, as long as a rollback is possible; else empty
  *   <li>{@code shadow}: the report of the shadow, as text; empty if there is none
  *   <li>{@code doubt}: why the original state may be wrong, empty if it is certain
+ *   <li>{@code drift}, what the device did lately that its model does not have: {@code acts}, {@code unexplained}, {@code
+ *   text}, empty if all is in the model, and {@code edges}, a list of {@code edge} and {@code count}
  *   <li>{@code function}: {@code state}, {@code thread}, {@code progress} in words, {@code readings} as below; all
  *   empty if no new function runs
  *   <li>{@code timers}, those of the new model's state, the next one first: {@code event}, {@code remainingMillis},
@@ -55,6 +58,7 @@ public final class StatusJson {
                 .put("evolution", status.evolution())
                 .put("shadow", status.shadow())
                 .put("doubt", status.doubt())
+                .put("drift", drift(status.drift()))
                 .put(
                         "lastKnownSince",
                         status.lastKnownSince().map(Instant::toString).orElse(null))
@@ -101,6 +105,20 @@ public final class StatusJson {
                 .put("timers", status.timers().stream().map(StatusJson::timer).toList())
                 .put("faults", status.faults().stream().map(StatusJson::fault).toList())
                 .put("link", link(status.link()));
+    }
+
+    private static JsonObject drift(Drift drift) {
+        return new JsonObject()
+                .put("acts", drift.acts())
+                .put("unexplained", drift.unexplained())
+                .put("text", drift.toString())
+                .put(
+                        "edges",
+                        drift.edges().stream()
+                                .map(edge -> new JsonObject()
+                                        .put("edge", edge.toString())
+                                        .put("count", edge.count()))
+                                .toList());
     }
 
     private static @Nullable JsonObject link(ConverterStatus.@Nullable LinkStatus link) {

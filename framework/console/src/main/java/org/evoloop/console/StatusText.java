@@ -46,6 +46,9 @@ final class StatusText {
         if (!status.doubt().isEmpty()) {
             line(out, "in doubt", status.doubt());
         }
+        if (status.drift().unexplained() > 0) {
+            line(out, "drift", status.drift().toString());
+        }
         line(out, "now", now(status));
         if (!status.timers().isEmpty()) {
             line(out, "timers", timers(status));

@@ -105,7 +105,7 @@ class ConsoleTest {
                 + "\"failures\":0,\"lastFailure\":\"\"}";
         assertThat(out.text())
                 .endsWith(
-                        "\n{\"name\":\"lamp\",\"loop\":\"running\",\"originalState\":\"off\",\"newState\":\"off\",\"system\":\"off\",\"evolution\":\"\",\"shadow\":\"\",\"doubt\":\"\",\"lastKnownSince\":null,"
+                        "\n{\"name\":\"lamp\",\"loop\":\"running\",\"originalState\":\"off\",\"newState\":\"off\",\"system\":\"off\",\"evolution\":\"\",\"shadow\":\"\",\"doubt\":\"\",\"drift\":{\"acts\":0,\"unexplained\":0,\"text\":\"\",\"edges\":[]},\"lastKnownSince\":null,"
                                 + "\"queue\":{\"depth\":0,\"capacity\":8,\"highest\":0,"
                                 + "\"taken\":0,\"dropped\":0,\"refused\":0},"
                                 + "\"events\":{\"observed\":0,\"handled\":0,\"ignored\":0,\"stale\":0,\"failed\":0,\"dropped\":0,"

@@ -7,6 +7,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import org.evoloop.converter.ConverterStatus;
+import org.evoloop.converter.Drift;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Occurrence;
@@ -33,6 +34,7 @@ class StatusFormatTest {
             "",
             "",
             "",
+            Drift.NONE,
             Optional.empty(),
             new QueueStatus(2, 8, 5, 40, 1, 3),
             new ConverterStatus.EventCounts(44, 30, 4, 2, 1, 1, 3, 2, 1),
@@ -113,7 +115,7 @@ class StatusFormatTest {
     void asJson() {
         assertThat(StatusJson.of(BUSY).toString())
                 .startsWith(
-                        "{\"name\":\"robot\",\"loop\":\"running\",\"originalState\":\"On\",\"newState\":\"Move\",\"system\":\"Move, the device in On\",\"evolution\":\"\",\"shadow\":\"\",\"doubt\":\"\",\"lastKnownSince\":null,"
+                        "{\"name\":\"robot\",\"loop\":\"running\",\"originalState\":\"On\",\"newState\":\"Move\",\"system\":\"Move, the device in On\",\"evolution\":\"\",\"shadow\":\"\",\"doubt\":\"\",\"drift\":{\"acts\":0,\"unexplained\":0,\"text\":\"\",\"edges\":[]},\"lastKnownSince\":null,"
                                 + "\"queue\":{\"depth\":2,\"capacity\":8,\"highest\":5,"
                                 + "\"taken\":40,\"dropped\":1,\"refused\":3},"
                                 + "\"events\":{\"observed\":44,\"handled\":30,\"ignored\":4,\"stale\":2,\"failed\":1,"
@@ -145,6 +147,7 @@ class StatusFormatTest {
                 "",
                 "",
                 "",
+                Drift.NONE,
                 Optional.of(since),
                 BUSY.queue(),
                 BUSY.events(),
@@ -173,6 +176,7 @@ class StatusFormatTest {
                 "",
                 "",
                 "",
+                Drift.NONE,
                 Optional.empty(),
                 BUSY.queue(),
                 BUSY.events(),

@@ -27,6 +27,7 @@ import org.jspecify.annotations.Nullable;
  *     way back is gone
  * @param shadow the report of the shadow; empty if there is none
  * @param doubt why the record of the device's state may be wrong; empty if it is certain
+ * @param drift what the device did lately that its model does not have
  * @param lastKnownSince since when the states are only the last known ones, because the loop is closed or the device
  *     cannot be reached; empty while they are up to date
  * @param queue how many events wait and how many were lost
@@ -47,6 +48,7 @@ public record ConverterStatus(
         String evolution,
         String shadow,
         String doubt,
+        Drift drift,
         Optional<Instant> lastKnownSince,
         QueueStatus queue,
         EventCounts events,

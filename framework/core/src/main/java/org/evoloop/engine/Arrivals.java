@@ -61,6 +61,7 @@ final class Arrivals {
         Step own = ledger.rules.table().ownStep(from, fact.event(), fact.holding()::contains);
         boolean impossible = own == null && ledger.rules.table().isImpossible(from, fact.event());
         ledger.happensMeanwhile(fact);
+        ledger.out.acted(fact, from, own);
         if (own != null) {
             ledger.place.moveDevice(own.target(), ledger.out);
         }
@@ -97,6 +98,7 @@ final class Arrivals {
             endAtOnce(found, Outcome.STALE, OVERTAKEN);
         } else {
             Doubt doubt = ledger.place.doubt();
+            ledger.out.reported(found.state(), ledger.place.at().original());
             boolean completes = ledger.completed(doubt, found.state()) != null;
             ledger.happensMeanwhile(found);
             ledger.settleDoubt();
@@ -135,6 +137,9 @@ final class Arrivals {
     private void hear(Occurrence.Heard heard) {
         boolean own = ledger.rules.table().isDevicesOwn(heard.event().trigger());
         if (!ledger.rules.table().names().knows(heard.event()) && (ledger.open || heard.deviceActed())) {
+            if (heard.deviceActed()) {
+                ledger.out.acted(heard, ledger.place.at().original(), null);
+            }
             // It would have no effect, and must not take up room needed by facts.
             endAtOnce(heard, Outcome.IGNORED, unknown(heard.event()));
         } else if (heard.deviceActed() || (own && heard.source() != Source.CONTROLLER)) {

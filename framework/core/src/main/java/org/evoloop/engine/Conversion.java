@@ -455,6 +455,7 @@ final class Conversion {
             conclude(number, Outcome.IGNORED, why);
         } else {
             ledger.happensMeanwhile(new Occurrence.Found(state, ledger.nowNanos));
+            ledger.out.reported(state, ledger.place.at().original());
             ledger.settleDoubt();
             isIn(state, number, ledger.completed(doubt, state));
         }

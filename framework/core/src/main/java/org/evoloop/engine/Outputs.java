@@ -23,6 +23,23 @@ public interface Outputs {
     /** Receives one output; its record describes the meaning. */
     void say(Output output);
 
+    /**
+     * The device has acted by itself. This is a remark about an input and no output, so {@link #say} does not get it; the same
+     * holds for {@link #reported}.
+     *
+     * @param from where the record had it before
+     * @param own the step that its model has for that; null if it has none
+     */
+    default void acted(Occurrence.Heard fact, State from, @Nullable Step own) {}
+
+    /**
+     * The device has said where it is.
+     *
+     * @param state a state of its model
+     * @param recorded where the record had it
+     */
+    default void reported(State state, State recorded) {}
+
     /** As {@link Output.Begin}. */
     default void begin(Pending pending) {
         say(new Output.Begin(pending));

@@ -175,11 +175,10 @@ final class Answers implements MealyMembershipOracle<String, String> {
             return;
         }
         String before = edge.heard().output();
-        Map<String, Integer> votes =
-                new LinkedHashMap<>(Map.of(contradiction.step().heard().output(), 1));
-        if (edge.seen() == 1) {
-            votes.put(before, 1);
-        }
+        Map<String, Integer> votes = new LinkedHashMap<>();
+        // No more, so that a device that has changed can still outvote what it once said.
+        votes.put(before, Math.min(edge.seen(), LEAD));
+        votes.put(contradiction.step().heard().output(), 1);
         for (int i = 0; i < MOST_VOTES; i++) {
             Session.Answer answer = put(word);
             Contradiction again = keep(answer);

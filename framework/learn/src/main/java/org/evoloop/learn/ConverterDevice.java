@@ -15,10 +15,12 @@ import org.evoloop.converter.ConverterStatus;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.converter.UnknownEffectException;
 import org.evoloop.evolution.EventOutcome;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.learn.Heard.Reply;
+import org.evoloop.loop.Failure;
 import org.evoloop.time.Clock;
 
 /**
@@ -37,38 +39,71 @@ public final class ConverterDevice implements LearnedDevice {
 
     private final SystemEventConverter converter;
     private final PushMonitor buttons;
+    private final LearnRules rules;
     private final String home;
     private final List<String> resets;
     private final Duration settle;
     private final Clock clock;
     private final BlockingQueue<News> news = new LinkedBlockingQueue<>();
+    /** What the device did by itself, and nobody has asked for yet. */
+    private final List<String> done = new ArrayList<>();
+
+    /** What a person pressed, at the device or at its controller; empty if nothing. */
+    private String pressed = "";
+
     private String shown = "";
     /** When it was first heard that the device is as it is. */
     private long since;
 
     private int sent;
 
-    private record News(HistoryEntry entry, long nanos) {}
+    /** Events that were sent from here, and of whose end was not heard yet. */
+    private final List<String> own = new ArrayList<>();
+
+    /** Whether it is unknown if the last of them had its effect. */
+    private boolean unknown;
+
+    /**
+     * Something has ended.
+     *
+     * @param unknown whether it failed, and it is unknown if it had its effect
+     */
+    private record News(HistoryEntry entry, long nanos, boolean unknown) {}
 
     /**
      * @param converter a converter that runs
      * @param buttons its monitor through which events are pressed
+     * @param rules what a reset must not send either
      * @param home the state to which the device is reset; empty if it does not say where it is
      * @param resets the events that bring it there
      * @param settle how long nothing must happen after an event
      */
     public ConverterDevice(
-            SystemEventConverter converter, PushMonitor buttons, String home, List<String> resets, Duration settle) {
+            SystemEventConverter converter,
+            PushMonitor buttons,
+            LearnRules rules,
+            String home,
+            List<String> resets,
+            Duration settle) {
         this.converter = requireNonNull(converter, "the converter is null");
         this.buttons = requireNonNull(buttons, "the monitor is null");
+        this.rules = rules;
         this.home = home;
         this.resets = List.copyOf(resets);
         this.settle = settle;
         this.clock = converter.clock();
         converter.addListener(new ConverterListener() {
+            private boolean unknown;
+
+            @Override
+            public void failed(Failure<Occurrence> failure) {
+                unknown = failure.cause() instanceof UnknownEffectException;
+            }
+
             @Override
             public void ended(HistoryEntry entry) {
-                news.add(new News(entry, clock.nanoTime()));
+                news.add(new News(entry, clock.nanoTime(), unknown));
+                unknown = false;
             }
         });
     }
@@ -87,7 +122,7 @@ public final class ConverterDevice implements LearnedDevice {
                 return Heard.accepted(shown);
             }
             for (String event : resets) {
-                if (home.isEmpty() || !shown.equals(home)) {
+                if ((home.isEmpty() || !shown.equals(home)) && !rules.forbid(event, shown)) {
                     send(event);
                     quiet();
                 }
@@ -145,8 +180,8 @@ public final class ConverterDevice implements LearnedDevice {
         if (outcome.isHandled()) {
             return Reply.ACCEPTED;
         }
-        if (outcome instanceof EventOutcome.Failed failed) {
-            return failed.why().contains("unknown") ? Reply.UNANSWERED : Reply.REFUSED;
+        if (outcome instanceof EventOutcome.Failed) {
+            return unknown ? Reply.UNANSWERED : Reply.REFUSED;
         }
         throw new DisturbedException(event + ": " + outcome);
     }
@@ -161,13 +196,20 @@ public final class ConverterDevice implements LearnedDevice {
             clock.sleep(TICK);
             link = converter.status().link();
         }
+        own.add(event);
         CompletableFuture<EventOutcome> outcome = buttons.submit(event);
-        while (!outcome.isDone()) {
+        // What ended before it is heard first, so that nothing of it is taken for a person's press later.
+        while (!outcome.isDone() || own.contains(event)) {
+            if (outcome.isDone() && outcome.join() instanceof EventOutcome.Refused) {
+                own.remove(event);
+                break;
+            }
             if (clock.nanoTime() - begin > PATIENCE.toNanos()) {
                 throw new LostException("the device does not take " + event + " within " + PATIENCE.toSeconds()
                         + " s; switch it off and on");
             }
             clock.sleep(TICK);
+            hear();
         }
         return outcome.join();
     }
@@ -202,22 +244,34 @@ public final class ConverterDevice implements LearnedDevice {
 
     /** What the device did by itself since this was called last. */
     private List<String> acts() {
-        List<String> acts = new ArrayList<>();
-        for (News next = news.poll(); next != null; next = news.poll()) {
-            Occurrence occurrence = next.entry().occurrence();
-            if (occurrence instanceof Occurrence.Heard heard && heard.source() == Source.DEVICE) {
-                acts.add(heard.event().name());
-                since = next.nanos();
-            } else if (occurrence instanceof Occurrence.Heard other && isForeign(other)) {
-                throw new DisturbedException("somebody pressed " + other.event());
-            }
+        hear();
+        String person = pressed;
+        pressed = "";
+        if (!person.isEmpty()) {
+            done.clear();
+            throw new DisturbedException("somebody pressed " + person);
         }
+        List<String> acts = List.copyOf(done);
+        done.clear();
         return acts;
     }
 
-    /** Whether a person pressed something: what is sent from here was answered before its entry is read. */
-    private boolean isForeign(Occurrence.Heard heard) {
-        return heard.source() == Source.PANEL;
+    /** Takes in what has ended. */
+    private void hear() {
+        for (News next = news.poll(); next != null; next = news.poll()) {
+            if (!(next.entry().occurrence() instanceof Occurrence.Heard heard)) {
+                continue;
+            }
+            String event = heard.event().name();
+            if (heard.source() == Source.DEVICE) {
+                done.add(event);
+                since = next.nanos();
+            } else if (heard.source() == Source.CONTROLLER && own.remove(event)) {
+                unknown = next.unknown();
+            } else {
+                pressed = event;
+            }
+        }
     }
 
     private void requireNothingHappened() {

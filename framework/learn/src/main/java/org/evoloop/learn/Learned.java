@@ -93,16 +93,31 @@ public record Learned(
         return open.isEmpty() && remarks.isEmpty();
     }
 
-    static Learned of(@Nullable Mealy machine, AnswerTree tree, int depth, int words, Duration took, String open) {
+    /**
+     * @param declared the names of the states, if a model has them; else empty
+     * @param never events that were left out, since a rule forbids them everywhere
+     */
+    static Learned of(
+            @Nullable Mealy machine,
+            AnswerTree tree,
+            List<String> declared,
+            Set<String> never,
+            int depth,
+            int words,
+            Duration took,
+            String open) {
+        List<String> remarks = new ArrayList<>(never.stream()
+                .sorted()
+                .map(event -> event + " was not tried: a rule forbids it")
+                .toList());
         if (machine == null) {
-            return new Learned(List.of(), List.of(), depth, words, took, open, List.of());
+            return new Learned(List.of(), List.of(), depth, words, took, open, remarks);
         }
         Map<Long, List<Edge>> seen = new HashMap<>();
         Map<Integer, String> shown = new HashMap<>();
         collect(machine, tree.root(), 0, seen, shown);
-        List<String> names = names(machine.size(), shown);
+        List<String> names = declared.isEmpty() ? names(machine.size(), shown) : declared;
         List<Arrow> edges = new ArrayList<>();
-        List<String> remarks = new ArrayList<>();
         for (int state = 0; state < machine.size(); state++) {
             for (int input = 0; input < machine.inputs().size(); input++) {
                 if (machine.inputs().get(input).equals(Answers.LOOK)) {
@@ -127,6 +142,9 @@ public record Learned(
                         soonest,
                         latest);
                 edges.add(edge);
+                if (edge.heard().reply() == Reply.FORBIDDEN) {
+                    remarks.add(edge.toString());
+                }
                 if (latest.minus(soonest).compareTo(SECOND.plus(latest.dividedBy(TIMERS_DIFFER))) > 0) {
                     remarks.add(edge + "; these are two timers, or one that began before the state");
                 }
@@ -171,6 +189,16 @@ public record Learned(
     }
 
     /**
+     * In what a declared model differs from what was seen, one line for each difference. States are the same if they have the
+     * same name, or else if the same events lead there. What was not tried is no difference.
+     *
+     * @param longest how long each state was observed
+     */
+    public List<String> differences(StateMachine declared, Duration longest) {
+        return states.isEmpty() ? List.of() : new Differences(this, declared, longest).lines();
+    }
+
+    /**
      * A model of it. An event that is refused has no transition; nor has one that changes nothing, if the device has no way to
      * refuse.
      *
@@ -200,7 +228,7 @@ public record Learned(
         return model.build();
     }
 
-    private static String trigger(Arrow edge) {
+    static String trigger(Arrow edge) {
         if (!edge.input().equals(LearnedDevice.WAIT)) {
             return edge.input();
         }

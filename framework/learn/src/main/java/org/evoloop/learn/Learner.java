@@ -4,11 +4,14 @@ import de.learnlib.acex.AcexAnalyzers;
 import de.learnlib.algorithm.ttt.mealy.TTTLearnerMealy;
 import de.learnlib.query.DefaultQuery;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import net.automatalib.alphabet.impl.Alphabets;
 import net.automatalib.word.Word;
 import org.evoloop.learn.Answers.AgainException;
+import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
@@ -21,10 +24,14 @@ import org.jspecify.annotations.Nullable;
  */
 public final class Learner {
     private final List<String> inputs;
+    private final Set<String> never;
     private final LearnSettings settings;
     private final Session session;
     private final Answers answers;
     private final LearnProgress progress;
+    private final @Nullable StateMachine first;
+    private List<String> names = List.of();
+    private int depth;
     private @Nullable Mealy best;
 
     /**
@@ -33,6 +40,7 @@ public final class Learner {
      * @param rules what must not be done
      * @param settings how
      * @param clock the device's time
+     * @param first a model that is tested before anything else; what it explains is learned with few presses. Null for none
      * @param log where answers are kept, and what was answered before; null to keep none
      * @param progress is told how far it is
      */
@@ -42,56 +50,102 @@ public final class Learner {
             LearnRules rules,
             LearnSettings settings,
             Clock clock,
+            @Nullable StateMachine first,
             @Nullable AnswerLog log,
             LearnProgress progress) {
+        this.never = new HashSet<>(events);
+        never.retainAll(rules.never());
         this.inputs = new ArrayList<>(
-                events.stream().filter(event -> !rules.never().contains(event)).toList());
+                events.stream().filter(event -> !never.contains(event)).toList());
         if (inputs.isEmpty()) {
             throw new IllegalArgumentException("there is nothing that may be sent to the device");
         }
         inputs.add(LearnedDevice.WAIT);
         inputs.add(Answers.LOOK);
+        this.first = first;
+        this.depth = settings.depth();
         this.settings = settings;
         this.session = new Session(device, rules, settings, clock);
         this.answers = new Answers(session, log);
         this.progress = progress;
     }
 
-    /** Learns until the test is passed, or something ends it. */
+    /**
+     * Learns until the test is passed, or something ends it. Then the device is reset, also if the thread was interrupted.
+     */
     public Learned learn() {
         String open = "";
         try {
-            while (!isDone()) {
-                // An answer was wrong: the learner begins again with what is left of the tree.
+            boolean done = false;
+            while (!done) {
+                try {
+                    done = isConfirmed() || isLearned();
+                } catch (AgainException wrong) {
+                    // The learner begins again with what is left of the tree.
+                    done = false;
+                }
             }
         } catch (OpenEndException end) {
             open = String.valueOf(end.getMessage());
         }
-        return Learned.of(best, answers.tree(), settings.depth(), session.words(), session.elapsed(), open);
+        String left = session.leave();
+        return Learned.of(
+                best,
+                answers.tree(),
+                names,
+                never,
+                depth,
+                session.words(),
+                session.elapsed(),
+                open + (open.isEmpty() || left.isEmpty() ? "" : "; ") + left);
     }
 
-    /** Whether it was learned; false if it has to begin again. */
-    private boolean isDone() {
-        try {
-            TTTLearnerMealy<String, String> learner =
-                    new TTTLearnerMealy<>(Alphabets.fromList(inputs), answers, AcexAnalyzers.BINARY_SEARCH_BWD);
-            learner.startLearning();
-            while (true) {
-                Mealy hypothesis = Mealy.of(learner.getHypothesisModel(), inputs);
-                best = hypothesis;
-                progress.at(hypothesis.size(), session.words(), session.elapsed());
-                List<String> example = counterexample(hypothesis);
-                if (example == null) {
-                    return true;
-                }
-                DefaultQuery<String, Word<String>> query = new DefaultQuery<>(Word.fromList(example));
-                query.answer(answers.outputs(example));
-                if (!learner.refineHypothesis(query)) {
-                    throw new IllegalStateException("the learner does not take " + example);
-                }
-            }
-        } catch (AgainException wrong) {
+    /** Whether the first model explains every answer to the words that test its transitions. */
+    private boolean isConfirmed() {
+        if (first == null) {
             return false;
+        }
+        answers.outputs(List.of(Answers.LOOK));
+        boolean shows = !answers.tree().root().shown().isEmpty();
+        Declared declared = new Declared(first, inputs, settings.longest(), shows);
+        Suite suite = new Suite(declared.hypothesis());
+        if (!suite.tellsAllApart()) {
+            return false;
+        }
+        for (List<String> word : suite.words(0)) {
+            answers.outputs(word);
+            Mealy confirmed = declared.confirmed(answers.tree().root());
+            if (confirmed == null) {
+                return false;
+            }
+            best = confirmed;
+            names = declared.names();
+            progress.at(confirmed.size(), session.words(), session.elapsed());
+        }
+        depth = 0;
+        return true;
+    }
+
+    /** Learns without a model; true when its hypothesis has passed its test. */
+    private boolean isLearned() {
+        best = null;
+        names = List.of();
+        TTTLearnerMealy<String, String> learner =
+                new TTTLearnerMealy<>(Alphabets.fromList(inputs), answers, AcexAnalyzers.BINARY_SEARCH_BWD);
+        learner.startLearning();
+        while (true) {
+            Mealy hypothesis = Mealy.of(learner.getHypothesisModel(), inputs);
+            best = hypothesis;
+            progress.at(hypothesis.size(), session.words(), session.elapsed());
+            List<String> example = counterexample(hypothesis);
+            if (example == null) {
+                return true;
+            }
+            DefaultQuery<String, Word<String>> query = new DefaultQuery<>(Word.fromList(example));
+            query.answer(answers.outputs(example));
+            if (!learner.refineHypothesis(query)) {
+                throw new IllegalStateException("the learner does not take " + example);
+            }
         }
     }
 

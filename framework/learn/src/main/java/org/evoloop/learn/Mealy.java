@@ -12,7 +12,7 @@ final class Mealy {
     private final int[][] next;
     private final String[][] outputs;
 
-    private Mealy(List<String> inputs, int[][] next, String[][] outputs) {
+    Mealy(List<String> inputs, int[][] next, String[][] outputs) {
         this.inputs = inputs;
         this.next = next;
         this.outputs = outputs;

@@ -88,6 +88,9 @@ final class Session {
         String shown = atReset;
         List<Step> steps = new ArrayList<>();
         for (String input : inputs) {
+            if (Thread.interrupted()) {
+                throw new InterruptedException();
+            }
             requireHarmless();
             Heard heard;
             if (input.equals(LearnedDevice.WAIT)) {
@@ -102,6 +105,31 @@ final class Session {
         }
         requireHarmless();
         return new Answer(atReset, steps);
+    }
+
+    /**
+     * Leaves the device where every word begins, unless it was not touched.
+     *
+     * @return why it could not be left there; empty if it is there
+     */
+    String leave() {
+        if (device.sent() == 0) {
+            return "";
+        }
+        boolean stopped = Thread.interrupted();
+        try {
+            device.reset();
+            return "";
+        } catch (LostException | DisturbedException lost) {
+            return "the device may not be at home: " + lost.getMessage();
+        } catch (InterruptedException again) {
+            stopped = true;
+            return "the device may not be at home: stopped while it was brought there";
+        } finally {
+            if (stopped) {
+                Thread.currentThread().interrupt();
+            }
+        }
     }
 
     private interface Sending {
@@ -120,10 +148,9 @@ final class Session {
         }
     }
 
-    private void requireHarmless() throws InterruptedException {
+    private void requireHarmless() {
         String reason = rules.stopAt(device.readings()).orElse("");
         if (!reason.isEmpty()) {
-            device.reset();
             throw new OpenEndException("a rule of the file ended it: " + reason);
         }
     }

@@ -23,6 +23,7 @@ final class Suite {
     private final List<List<String>> access;
     private final List<Set<List<String>>> local = new ArrayList<>();
     private final Set<List<String>> global = new LinkedHashSet<>();
+    private boolean tellsAllApart = true;
 
     Suite(Mealy machine) {
         this.machine = machine;
@@ -38,6 +39,11 @@ final class Suite {
             }
         }
         local.forEach(global::addAll);
+    }
+
+    /** Whether there is a word for any two states that tells them apart, as for every hypothesis of a learner. */
+    boolean tellsAllApart() {
+        return tellsAllApart;
     }
 
     /** The shortest words to each state. */
@@ -118,7 +124,8 @@ final class Suite {
                         then(way.word(), List.of(machine.inputs().get(input)))));
             }
         }
-        throw new IllegalStateException("two states of the hypothesis are alike");
+        tellsAllApart = false;
+        return List.of();
     }
 
     /** The words, first those that look for few states more. */

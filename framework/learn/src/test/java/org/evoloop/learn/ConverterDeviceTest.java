@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
@@ -36,6 +38,7 @@ class ConverterDeviceTest {
     private final SystemClock clock = new SystemClock();
     private final SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("kettle", clock));
     private final PushMonitor buttons = new PushMonitor("Learner");
+    private final PushMonitor wall = new PushMonitor("Wall");
     private final SimulatedDevice kettle = SimulatedDevice.of(KETTLE)
             .sends("power", "boil")
             .buttons("done")
@@ -52,6 +55,7 @@ class ConverterDeviceTest {
         }
         StateMachine any = free.spontaneous("done").build();
         converter.addMonitor(buttons);
+        converter.addMonitor(wall);
         converter.addExecute(new LookExecute());
         kettle.addTo(converter, clock);
         converter.addKnowledge(new StateKnowledge(new ModelPair(any, any.withName("new"))));
@@ -66,7 +70,7 @@ class ConverterDeviceTest {
     }
 
     private ConverterDevice device(String home, String... resets) {
-        return new ConverterDevice(converter, buttons, home, List.of(resets), SETTLE);
+        return new ConverterDevice(converter, buttons, LearnRules.NONE, home, List.of(resets), SETTLE);
     }
 
     @Test
@@ -77,6 +81,7 @@ class ConverterDeviceTest {
                         LearnRules.NONE,
                         new LearnSettings(Duration.ofMillis(20), Duration.ofMinutes(5), 1),
                         clock,
+                        null,
                         null,
                         (states, words, elapsed) -> {})
                 .learn();
@@ -103,6 +108,33 @@ class ConverterDeviceTest {
         assertThat(heard.shown()).isEqualTo("Off");
         assertThat(heard.after()).isGreaterThan(Duration.ofMillis(40));
         assertThat(device.await(Duration.ofMillis(20)).reply()).isEqualTo(Heard.Reply.SILENT);
+    }
+
+    @Test
+    void aPressAtItsControllerIsAPersons() throws InterruptedException {
+        ConverterDevice device = device("Off", "power");
+        device.reset();
+        device.press("power");
+
+        wall.press("boil");
+
+        assertThatThrownBy(() -> device.await(Duration.ofSeconds(20)))
+                .isInstanceOf(DisturbedException.class)
+                .hasMessage("somebody pressed boil");
+        assertThat(device.reset().shown()).isEqualTo("Off");
+    }
+
+    @Test
+    void aResetSendsNothingThatARuleForbids() throws InterruptedException {
+        LearnRules rules =
+                new LearnRules(Set.of(), Map.of("Warm", Set.of("power")), Integer.MAX_VALUE, List.of(), null);
+        ConverterDevice device =
+                new ConverterDevice(converter, buttons, rules, "Off", List.of("power", "boil"), SETTLE);
+        device.reset();
+        device.press("power");
+
+        assertThat(device.reset().shown()).isEqualTo("Off");
+        assertThat(kettle.received()).containsExactly("power", "boil", "power");
     }
 
     @Test

@@ -16,7 +16,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.Set;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.StateMachineBuilder;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -75,11 +78,59 @@ class LearnerTest {
     }
 
     private Learned learn(LearnedDevice device, LearnRules rules, LearnSettings settings, String... events) {
-        return new Learner(device, List.of(events), rules, settings, clock, null, QUIET).learn();
+        return new Learner(device, List.of(events), rules, settings, clock, null, null, QUIET).learn();
+    }
+
+    /** The lamp as somebody has drawn it. */
+    private static StateMachineBuilder drawn() {
+        return StateMachine.named("lamp")
+                .initial("Off")
+                .transition("Off", "power", "On")
+                .transition("On", "after 20 s", "Off");
+    }
+
+    private Learned test(LearnedDevice device, StateMachine first, String... events) {
+        return new Learner(device, List.of(events), LearnRules.NONE, SETTINGS, clock, first, null, QUIET).learn();
+    }
+
+    @Test
+    void aDeclaredModelIsTestedWithFewPresses() {
+        StateMachine declared = drawn().transition("On", "power", "Off").build();
+        Lamp tested = new Lamp();
+
+        Learned learned = test(tested, declared, "power", "jam");
+
+        assertThat(learned.isTested()).isTrue();
+        assertThat(learned.depth()).isZero();
+        assertThat(learned.model("lamp").transitions()).hasSameElementsAs(declared.transitions());
+        assertThat(learned.differences(declared, SETTINGS.longest())).isEmpty();
+        Lamp alone = new Lamp();
+        learn(alone, LearnRules.NONE, SETTINGS, "power", "jam");
+        assertThat(tested.presses).isLessThan(alone.presses);
+    }
+
+    @Test
+    void whereADeclaredModelIsWrongTheDeviceIsLearnedAndTheDifferenceIsNamed() {
+        StateMachine declared = drawn().transition("On", "power", "On")
+                .transition("Off", "jam", "On")
+                .build();
+
+        Learned learned = test(new Lamp(), declared, "power", "jam");
+
+        assertThat(learned.isTested()).isTrue();
+        assertThat(learned.depth()).isEqualTo(1);
+        assertThat(learned.model("lamp").nextState(new State("On"), new Event("power")))
+                .contains(new State("Off"));
+        assertThat(learned.differences(declared, SETTINGS.longest()))
+                .containsExactlyInAnyOrder(
+                        "Off --jam--> On is declared, and was refused",
+                        "On --power--> On is declared, and On --power--> Off was seen");
+        assertThat(learned.differences(drawn().build(), SETTINGS.longest()))
+                .containsExactly("On --power--> Off is not declared");
     }
 
     private static Learned learn(RandomDevice device, AnswerLog log) {
-        return new Learner(device, device.inputs, LearnRules.NONE, SETTINGS, device.clock, log, QUIET).learn();
+        return new Learner(device, device.inputs, LearnRules.NONE, SETTINGS, device.clock, null, log, QUIET).learn();
     }
 
     @Test
@@ -118,6 +169,29 @@ class LearnerTest {
         assertThat(learned.edges())
                 .extracting(Learned.Arrow::toString)
                 .contains("On --reset-->: not tried, a rule forbids it");
+        assertThat(learned.remarks())
+                .containsExactly("jam was not tried: a rule forbids it", "On --reset-->: not tried, a rule forbids it");
+        assertThat(learned.isTested()).isFalse();
+    }
+
+    @Test
+    void howeverItEndsTheDeviceIsLeftWhereEveryWordBegins() {
+        Lamp stopped = new Lamp() {
+            @Override
+            public Heard press(String event) throws InterruptedException {
+                if (sent() == 3) {
+                    Thread.currentThread().interrupt();
+                }
+                return super.press(event);
+            }
+        };
+        assertThat(learn(stopped, LearnRules.NONE, SETTINGS, "power").open()).isEqualTo("it was stopped");
+        assertThat(Thread.interrupted()).isTrue();
+        assertThat(stopped.state).isEqualTo("Off");
+
+        Lamp done = new Lamp();
+        assertThat(learn(done, LearnRules.NONE, SETTINGS, "power").isTested()).isTrue();
+        assertThat(done.state).isEqualTo("Off");
     }
 
     @Test
@@ -175,7 +249,7 @@ class LearnerTest {
         RandomDevice device = RandomDevice.of(SMALL, clock);
         LearnSettings short1 = new LearnSettings(MINUTE, Duration.ofHours(1), 1);
 
-        Learned learned = new Learner(device, device.inputs, LearnRules.NONE, short1, clock, null, QUIET).learn();
+        Learned learned = new Learner(device, device.inputs, LearnRules.NONE, short1, clock, null, null, QUIET).learn();
 
         assertThat(learned.open()).isEqualTo("the budget is spent");
         assertThat(learned.took()).isLessThan(Duration.ofMinutes(70));

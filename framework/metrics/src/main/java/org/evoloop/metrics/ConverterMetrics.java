@@ -20,6 +20,7 @@ import java.util.function.ToLongFunction;
 import java.util.stream.LongStream;
 import org.evoloop.converter.ConverterListener;
 import org.evoloop.converter.ConverterStatus;
+import org.evoloop.converter.Drift;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.LoopState;
@@ -34,6 +35,8 @@ import org.evoloop.loop.LoopState;
  *   <li>{@code evoloop.failures} by {@code component}: failures since it joined the converter
  *   <li>{@code evoloop.running}, {@code evoloop.link.up}, {@code evoloop.doubt}: 1 or 0; {@code evoloop.link.up} exists
  *       only for a converter with a link
+ *   <li>{@code evoloop.drift} by {@code edge}: how many of the last {@code evoloop.drift.acts} acts of the device are not in
+ *       its model
  *   <li>{@code evoloop.device} and {@code evoloop.function} by {@code reading}: numeric readings of the device and of
  *       the new function, and true or false ones as 1 or 0; with their {@code unit}, such as {@code %}
  * </ul>
@@ -109,7 +112,17 @@ public final class ConverterMetrics implements MeterBinder {
                 "evoloop.doubt",
                 "Whether the record of the device may be wrong",
                 status -> truth(!status.doubt().isEmpty()));
+        gauge(
+                registry,
+                "evoloop.drift.acts",
+                "The acts of the device that evoloop.drift is about",
+                status -> status.drift().acts());
         times(registry);
+        rows(
+                registry,
+                "evoloop.drift",
+                "Acts of the device that are not in its model",
+                status -> drift(status.drift()));
         rows(registry, "evoloop.failures", "Failures of a component", this::failures);
         rows(registry, "evoloop.link.up", "Whether the device can be reached", this::link);
         rows(
@@ -158,6 +171,12 @@ public final class ConverterMetrics implements MeterBinder {
     private void rows(
             MeterRegistry registry, String name, String description, Function<ConverterStatus, Map<Tags, Number>> of) {
         rows.put(MultiGauge.builder(name).description(description).tags(tags).register(registry), of);
+    }
+
+    private static Map<Tags, Number> drift(Drift drift) {
+        Map<Tags, Number> counts = new LinkedHashMap<>();
+        drift.edges().forEach(edge -> counts.put(Tags.of("edge", edge.toString()), edge.count()));
+        return counts;
     }
 
     private Map<Tags, Number> failures(ConverterStatus status) {

@@ -66,6 +66,15 @@ class ConverterMetricsTest {
     }
 
     @Test
+    void whatTheModelOfTheDeviceDoesNotHaveIsCounted() {
+        new ConverterMetrics(lamp.converter()).bindTo(registry);
+        lamp.press("switch").advance(Duration.ofMinutes(1)).found("off");
+        value("evoloop.running");
+        assertThat(value("evoloop.drift", "edge", "on --?--> off")).isEqualTo(1);
+        assertThat(value("evoloop.drift.acts")).isEqualTo(2);
+    }
+
+    @Test
     void aReadingThatComesIsThereTheNextTime() {
         new ConverterMetrics(lamp.converter()).bindTo(registry);
         lamp.press("switch").press("switch").press("switch").press("switch");

@@ -6,8 +6,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.ZoneId;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.NoSuchElementException;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import org.evoloop.console.Console;
@@ -25,12 +27,13 @@ import org.evoloop.learn.Learned;
 import org.evoloop.learn.Learner;
 import org.evoloop.learn.LookExecute;
 import org.evoloop.models.flat.AstahWriter;
-import org.evoloop.models.flat.FlatDrawing;
+import org.evoloop.statechart.FlatDrawing;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
+import org.evoloop.xmi.ModelReference;
 import org.evoloop.xmi.ModelWriter;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
@@ -55,8 +58,18 @@ final class LearnCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
-    @Parameters(paramLabel = "FILE.yaml", description = "The device file. Its section learn has the rules.")
-    private Path file;
+    @Parameters(
+            arity = "0..1",
+            paramLabel = "FILE.yaml",
+            description = "The device file. Its section learn has the rules.")
+    private @Nullable Path file;
+
+    @Option(
+            names = "--from-journal",
+            arity = "1..*",
+            paramLabel = "DIR",
+            description = "Operates no device: proposes what its converter's journals show, and claims no more.")
+    private List<Path> journals = List.of();
 
     @Option(
             names = "--output",
@@ -64,6 +77,13 @@ final class LearnCommand implements Callable<Integer> {
             paramLabel = "MODEL",
             description = "The model file that is written: .mmd for Mermaid, .scxml, or .xml for Astah's XMI.")
     private Path output;
+
+    @Option(
+            names = "--from",
+            paramLabel = "MODEL#NAME",
+            description =
+                    "A model of the device, which is tested instead of learning from nothing; the differences are named.")
+    private @Nullable String from;
 
     @Option(
             names = "--budget",
@@ -89,16 +109,45 @@ final class LearnCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         String ending = ending();
+        if (!journals.isEmpty()) {
+            return fromJournals(ending);
+        }
+        Path described = file;
+        if (described == null) {
+            throw new IllegalArgumentException(
+                    "name a device file, or the journals of its converter by --from-journal");
+        }
         LearnSettings settings =
                 new LearnSettings(time("--longest", longest), time("--budget", budget), LearnSettings.USUAL.depth());
-        DeviceFile device = DeviceFile.read(file, DeviceProgram.options());
-        Learned learned = learn(device, settings);
+        DeviceFile device = DeviceFile.read(described, DeviceProgram.options());
+        StateMachine declared = from == null ? null : declared(from, device);
+        Learned learned = learn(device, settings, declared);
         report(learned);
+        if (declared != null) {
+            compare(learned, declared, settings);
+        }
         if (learned.states().isEmpty()) {
             return 1;
         }
-        Files.writeString(output, written(learned, ending));
+        List<String> lines =
+                learned.edges().stream().map(Learned.Arrow::toString).toList();
+        Files.writeString(output, written(learned.model(ORIGINAL), lines, ending));
         return learned.isTested() ? 0 : 1;
+    }
+
+    private int fromJournals(String ending) throws IOException {
+        if (file != null) {
+            throw new IllegalArgumentException("with --from-journal no device is operated; leave out " + file);
+        }
+        JournalLearning learning =
+                new JournalLearning(journals, spec.commandLine().getOut());
+        StateMachine machine = learning.propose(
+                from == null ? null : ModelReference.parse(from).load(), ORIGINAL);
+        if (machine == null) {
+            return 1;
+        }
+        Files.writeString(output, written(machine, learning.seen(), ending));
+        return learning.isClear() ? 0 : 1;
     }
 
     private String ending() {
@@ -111,6 +160,28 @@ final class LearnCommand implements Callable<Integer> {
         return ending;
     }
 
+    private static StateMachine declared(String reference, DeviceFile device) {
+        StateMachine model = ModelReference.parse(reference).load();
+        Set<String> known =
+                model.triggers().stream().map(Event::name).collect(Collectors.toCollection(LinkedHashSet::new));
+        if (device.sent().stream().noneMatch(known::contains)) {
+            throw new IllegalArgumentException(
+                    "--from " + reference + " has none of the events that " + device.name() + " is sent: "
+                            + String.join(", ", device.sent().stream().sorted().toList()));
+        }
+        return model;
+    }
+
+    private void compare(Learned learned, StateMachine declared, LearnSettings settings) {
+        PrintWriter out = spec.commandLine().getOut();
+        List<String> differences = learned.differences(declared, settings.longest());
+        differences.forEach(line -> out.println("differs: " + line));
+        if (differences.isEmpty()) {
+            out.println("as " + from + " declares, as far as it was tried");
+        }
+        out.flush();
+    }
+
     private static Duration time(String option, String text) {
         try {
             return new Event("tm(" + text + ")").timeTrigger().orElseThrow();
@@ -120,24 +191,20 @@ final class LearnCommand implements Callable<Integer> {
         }
     }
 
-    private Learned learn(DeviceFile device, LearnSettings settings) throws IOException {
+    private Learned learn(DeviceFile device, LearnSettings settings, @Nullable StateMachine declared)
+            throws IOException {
         LearnSection section = device.learning();
         PushMonitor buttons = new PushMonitor("Learner");
         try (Clock clock = new SystemClock();
                 AnswerLog log = log(device.name());
                 DeviceConverter opened = DeviceConverter.open(
                         device, device.free(LookExecute.LOOK, LookExecute.SEEN), clock, buttons, new LookExecute())) {
-            ConverterDevice port =
-                    new ConverterDevice(opened.converter(), buttons, section.home(), section.reset(), section.settle());
-            return new Learner(
-                            port,
-                            device.sent().stream().sorted().toList(),
-                            rules(section),
-                            settings,
-                            clock,
-                            log,
-                            progress())
-                    .learn();
+            LearnRules rules = rules(section);
+            ConverterDevice port = new ConverterDevice(
+                    opened.converter(), buttons, rules, section.home(), section.reset(), section.settle());
+            Learner learner = new Learner(
+                    port, device.sent().stream().sorted().toList(), rules, settings, clock, declared, log, progress());
+            return Interruptible.call(learner::learn);
         }
     }
 
@@ -187,17 +254,14 @@ final class LearnCommand implements Callable<Integer> {
         out.flush();
     }
 
-    private static String written(Learned learned, String ending) {
-        StateMachine machine = learned.model(ORIGINAL);
+    /** With comments that say how often each transition was seen, where the format has comments. */
+    private static String written(StateMachine machine, List<String> seen, String ending) {
         return switch (ending) {
             case "xml" -> AstahWriter.write(machine);
             case "scxml" -> ModelWriter.SCXML.write(FlatDrawing.of(machine));
-            default -> ModelWriter.MERMAID.write(FlatDrawing.of(machine)) + seen(learned);
+            default ->
+                ModelWriter.MERMAID.write(FlatDrawing.of(machine))
+                        + seen.stream().map(line -> "%% " + line + "\n").collect(Collectors.joining());
         };
-    }
-
-    /** Comments that say how often each transition was seen. */
-    private static String seen(Learned learned) {
-        return learned.edges().stream().map(edge -> "%% " + edge + "\n").collect(Collectors.joining());
     }
 }

@@ -14,10 +14,14 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Random;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import org.evoloop.xmi.ModelReference;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
@@ -32,7 +36,8 @@ class LearnCommandTest {
     private final StringWriter err = new StringWriter();
     private final List<String> received = new CopyOnWriteArrayList<>();
     private ServerSocket server;
-    private String state = "Off";
+    private final CountDownLatch dimmed = new CountDownLatch(1);
+    private volatile String state = "Off";
 
     @BeforeEach
     void serve() throws IOException {
@@ -76,6 +81,7 @@ class LearnCommandTest {
                     return "ERR";
                 }
                 state = state.equals("Bright") ? "Dim" : "Bright";
+                dimmed.countDown();
             }
             default -> {
                 return "ERR";
@@ -85,6 +91,17 @@ class LearnCommandTest {
     }
 
     private int learn(String rules, String... options) throws IOException {
+        Path file = described(rules);
+        CommandLine command = Main.learning();
+        command.setOut(new PrintWriter(out, true));
+        command.setErr(new PrintWriter(err, true));
+        String[] all = new String[options.length + 1];
+        all[0] = file.toString();
+        System.arraycopy(options, 0, all, 1, options.length);
+        return Main.run(command, all);
+    }
+
+    private Path described(String rules) throws IOException {
         Path file = folder.resolve("dimmer.yaml");
         Files.writeString(file, """
                 converter: dimmer
@@ -96,13 +113,76 @@ class LearnCommandTest {
                   state: {is Off: "Off", is Bright: Bright, is Dim: Dim}
                 learn: {home: "Off", reset: power, settle: 5 ms%s}
                 """.formatted(server.getLocalPort(), rules));
-        CommandLine command = Main.learning();
-        command.setOut(new PrintWriter(out, true));
-        command.setErr(new PrintWriter(err, true));
-        String[] all = new String[options.length + 1];
-        all[0] = file.toString();
-        System.arraycopy(options, 0, all, 1, options.length);
-        return Main.run(command, all);
+        return file;
+    }
+
+    /** Learns in a process of its own, with a journal. */
+    private Process learning(Path model) throws IOException {
+        return new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-cp",
+                        System.getProperty("surefire.test.class.path", System.getProperty("java.class.path")),
+                        Main.class.getName(),
+                        "learn",
+                        described("").toString(),
+                        "--output=" + model,
+                        "--longest=20 ms",
+                        "--journal=" + folder.resolve("answers"))
+                .redirectErrorStream(true)
+                .redirectOutput(folder.resolve("printed.txt").toFile())
+                .start();
+    }
+
+    @Test
+    void whenItIsToldToEndTheDeviceIsLeftAtHome() throws Exception {
+        Process process = learning(folder.resolve("dimmer.mmd"));
+        assertThat(dimmed.await(1, TimeUnit.MINUTES)).isTrue();
+
+        process.destroy();
+
+        assertThat(process.waitFor(1, TimeUnit.MINUTES)).isTrue();
+        assertThat(state).isEqualTo("Off");
+    }
+
+    private void killed(int times, long seed) throws Exception {
+        Random random = new Random(seed);
+        Path model = folder.resolve("dimmer.mmd");
+        for (int kill = 0; kill < times; kill++) {
+            Process process = learning(model);
+            if (process.waitFor(random.nextInt(3_000), TimeUnit.MILLISECONDS)) {
+                Files.delete(folder.resolve("answers").resolve("answers.log"));
+            }
+            process.destroyForcibly().waitFor();
+        }
+        assertThat(learning(model).waitFor()).isZero();
+        List<String> settled = Files.readAllLines(folder.resolve("answers").resolve("answers.log"));
+        List<String> edges = transitions(model);
+
+        Files.delete(folder.resolve("answers").resolve("answers.log"));
+        assertThat(learning(model).waitFor()).isZero();
+        assertThat(transitions(model)).isEqualTo(edges);
+        assertThat(Files.readAllLines(folder.resolve("answers").resolve("answers.log")))
+                .hasSizeBetween(settled.size() - 1, settled.size() + 1);
+    }
+
+    private static List<String> transitions(Path model) {
+        return ModelReference.parse(model.toString()).load().transitions().stream()
+                .map(Object::toString)
+                .toList();
+    }
+
+    @Test
+    void killedAtAnyInstantItGoesOnAndAsksNothingTwice() throws Exception {
+        killed(3, 1);
+    }
+
+    @Test
+    @Tag("slow")
+    void killedAHundredTimes() throws Exception {
+        for (int seed = 0; seed < 20; seed++) {
+            killed(5, seed);
+            Files.delete(folder.resolve("answers").resolve("answers.log"));
+        }
     }
 
     @Test
@@ -112,8 +192,12 @@ class LearnCommandTest {
         int status = learn(
                 ", never: clear", "--output=" + model, "--longest=50 ms", "--journal=" + folder.resolve("answers"));
 
-        assertThat(out.toString()).contains("Off --dim--> Off: refused, seen ", "tested to depth 1");
-        assertThat(status).isZero();
+        assertThat(out.toString())
+                .contains(
+                        "Off --dim--> Off: refused, seen ",
+                        "tested to depth 1",
+                        "open: clear was not tried: a rule forbids it");
+        assertThat(status).isEqualTo(1);
         assertThat(received).doesNotContain("CLR");
         assertThat(state).isNotEmpty();
         assertThat(ModelReference.parse(model + "#original").load().transitions())
@@ -131,8 +215,36 @@ class LearnCommandTest {
                         "--output=" + folder.resolve("again.scxml"),
                         "--longest=50 ms",
                         "--journal=" + folder.resolve("answers")))
-                .isZero();
+                .isEqualTo(1);
         assertThat(received.subList(before, received.size())).doesNotContain("PWR", "DIM");
+    }
+
+    @Test
+    void aDeclaredModelIsTestedAndWhatDiffersIsNamed() throws IOException {
+        Path drawn = folder.resolve("drawn.mmd");
+        Files.writeString(drawn, """
+                stateDiagram-v2
+                    [*] --> Off
+                    Off --> Bright : power
+                    Bright --> Off : power
+                    Bright --> Dim : dim
+                    Dim --> Bright : dim
+                """);
+        String[] options = {"--output=" + folder.resolve("dimmer.mmd"), "--longest=50 ms", "--from=" + drawn};
+
+        assertThat(learn("", options)).isZero();
+        assertThat(out.toString()).contains("differs: Dim --power--> Off is not declared");
+
+        out.getBuffer().setLength(0);
+        Files.writeString(drawn, Files.readString(drawn) + "    Dim --> Off : power\n");
+        assertThat(learn("", options)).isZero();
+        assertThat(out.toString())
+                .contains("tested to depth 0", "as " + drawn + " declares, as far as it was tried")
+                .doesNotContain("differs");
+
+        Files.writeString(drawn, "stateDiagram-v2\n[*] --> A\nA --> B : other\n");
+        assertThat(learn("", options)).isEqualTo(2);
+        assertThat(err.toString()).contains("has none of the events that dimmer is sent: clear, dim, power");
     }
 
     @Test

@@ -118,6 +118,12 @@ final class HomeDiscovery {
         for (String each : List.of("handled", "ignored", "stale", "failed", "dropped", "refused")) {
             diagnostic(each, "Events " + each, count -> count.put("state_class", "total_increasing"));
         }
+        diagnostic(
+                "drift",
+                "Acts that are not in the model",
+                drift -> drift.put("state_class", "measurement")
+                        .put("json_attributes_topic", topics.diagnostics())
+                        .put("json_attributes_template", "{{ {'edges': value_json.drift_text} | tojson }}"));
         diagnostic("waiting", "Events waiting", depth -> depth.put("state_class", "measurement"));
         diagnostic(
                 "conversion_millis",

@@ -106,6 +106,8 @@ final class HomeState {
                 .put("stale", status.events().stale())
                 .put("failed", status.events().failed())
                 .put("observed", status.events().observed())
+                .put("drift", status.drift().unexplained())
+                .put("drift_text", cut(status.drift().toString()))
                 .put("waiting", status.events().waiting())
                 .put("in_progress", status.events().inProgress())
                 .put("dropped", status.queue().dropped())

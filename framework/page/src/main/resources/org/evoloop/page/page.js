@@ -183,6 +183,7 @@ function showStatus() {
     ['Queue', `${queue.depth} waiting, highest ${queue.highest}, room for ${queue.capacity} presses`],
     ['Lost', `${queue.dropped} dropped, ${queue.refused} refused`, queue.dropped ? 'bad' : ''],
     ['Events', `${counts.handled} handled, ${counts.ignored} ignored, ${counts.stale} stale, ${counts.failed} failed`],
+    ['Drift', status.drift.text, 'bad'],
     ['Violated', violated ? `${violated.event.slice('violation of '.length)}, ${new Date(violated.at).toLocaleString()}` : '', 'bad'],
     ['Conversion', conversionTime.events ? `last ${duration(conversionTime.lastNanos)}, median ${duration(conversionTime.medianNanos)}, 99th percentile ${duration(conversionTime.percentile99Nanos)}` : 'none yet'],
     ['Function', running.state ? [running.state, running.progress, ...readings.function].filter(Boolean).join(', ') : 'none'],

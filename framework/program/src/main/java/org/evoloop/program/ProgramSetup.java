@@ -213,6 +213,7 @@ public final class ProgramSetup {
     int run(Service service) throws IOException {
         Console console = new Console(converter(), System.in, System.out, System.err);
         commands.forEach(console::addCommand);
+        console.addCommand(DriftCommand.of(converter()));
         if (others != null) {
             console.evolvesBy(others);
         }

@@ -29,6 +29,7 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Step;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.page.Picture;
+import org.evoloop.xmi.ModelReference;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -137,6 +138,45 @@ class ProgramTest {
 
     private String errors() {
         return errors.toString(StandardCharsets.UTF_8);
+    }
+
+    @Test
+    void theModelThatExplainsWhatTheDeviceDoesIsWritten() {
+        Path explained = folder.resolve("explained.mmd");
+        Flickering bulb = new Flickering();
+        Program program = Program.named("lamp", "A lamp.")
+                .models(models.toString(), ProgramTest.class)
+                .converter(setup -> {
+                    assemble(setup);
+                    setup.converter().addMonitor(bulb);
+                    setup.command("flicker", "switches itself on", (words, results) -> bulb.flicker(setup.converter()));
+                });
+
+        assertThat(run(program, "start\ndrift\nflicker\ndrift " + explained + "\ndrift lamp.png\nexit\n"))
+                .isZero();
+
+        assertThat(printed())
+                .contains("all of the last 0 acts of the device are in its model")
+                .contains("   1  off --flicker--> on")
+                .contains("written: " + explained);
+        assertThat(ModelReference.parse(explained + "#original").load().transitions())
+                .extracting(Object::toString)
+                .contains("off --flicker--> on", "off --switch--> on");
+        assertThat(errors()).contains("error: 'lamp.png' has no ending that names a format");
+    }
+
+    private static final class Flickering extends PushMonitor {
+        Flickering() {
+            super("Bulb");
+        }
+
+        void flicker(SystemEventConverter converter) {
+            push(fromDevice("flicker"));
+            push(foundIn("on"));
+            while (!converter.status().drift().toString().contains("--> on")) {
+                Thread.onSpinWait();
+            }
+        }
     }
 
     @Test

@@ -18,6 +18,7 @@ public record Records(
         FailureLog failures,
         History history,
         LatencyWindow latency,
+        DriftWindow drift,
         FlightLog flight,
         Listeners listeners) {
 
@@ -27,6 +28,7 @@ public record Records(
                 failures,
                 new History(config.clock()),
                 new LatencyWindow(),
+                new DriftWindow(config.clock()),
                 new FlightLog(config.name()),
                 listeners);
     }

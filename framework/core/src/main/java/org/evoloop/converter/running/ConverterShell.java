@@ -347,6 +347,7 @@ public final class ConverterShell implements LoopListener<Occurrence> {
                 evolution,
                 shadow == null ? "" : shadow.toString(),
                 driver.doubt(),
+                driver.drift(),
                 Stream.concat(closed.stream(), down.stream()).min(Comparator.naturalOrder()),
                 loop.queueStatus(),
                 counts(),

@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.function.Supplier;
 import org.evoloop.converter.ConverterJournal;
 import org.evoloop.converter.ConverterStatus;
+import org.evoloop.converter.Drift;
 import org.evoloop.converter.EvolutionException;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.converter.Probation;
@@ -311,6 +312,10 @@ public final class CoreDriver implements DecisionHost {
 
     synchronized ConverterStatus.ConversionTime conversionTime() {
         return records.latency().summary();
+    }
+
+    synchronized Drift drift() {
+        return records.drift().summary();
     }
 
     /** Why the record may be wrong; empty if it is certain. */

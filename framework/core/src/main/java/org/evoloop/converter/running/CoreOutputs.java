@@ -15,6 +15,7 @@ import org.evoloop.evolution.Step;
 import org.evoloop.loop.Intake.Admission;
 import org.evoloop.migration.Fate;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -110,6 +111,7 @@ final class CoreOutputs implements Outputs {
     public void send(Step step) {
         agenda.add(new Output.Send(step));
         records.transcript().step(step);
+        records.drift().sent(step);
         if (shadow != null) {
             shadow.send(step);
         }
@@ -154,9 +156,20 @@ final class CoreOutputs implements Outputs {
     @Override
     public void took(Step step) {
         records.transcript().command(step.trigger());
+        records.drift().took(step);
         if (shadow != null) {
             shadow.took(step);
         }
+    }
+
+    @Override
+    public void acted(Occurrence.Heard fact, State from, @Nullable Step own) {
+        records.drift().acted(fact.event(), from, own);
+    }
+
+    @Override
+    public void reported(State state, State recorded) {
+        records.drift().reported(state, recorded);
     }
 
     @Override
@@ -169,6 +182,7 @@ final class CoreOutputs implements Outputs {
     @Override
     public void evolved(Occurrence.Evolved occurrence, Configuration before, Fate.Maps fate) {
         records.transcript().evolved(occurrence);
+        records.drift().begin();
         evolution = new Output.Evolved(occurrence, before, fate);
     }
 

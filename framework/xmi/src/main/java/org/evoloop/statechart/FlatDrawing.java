@@ -1,14 +1,7 @@
-package org.evoloop.models.flat;
+package org.evoloop.statechart;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.evoloop.statechart.Arc;
-import org.evoloop.statechart.DeviceUse;
-import org.evoloop.statechart.EventKeywords;
-import org.evoloop.statechart.Place;
-import org.evoloop.statechart.Region;
-import org.evoloop.statechart.Statechart;
-import org.evoloop.statechart.Vertex;
 import org.evoloop.statechart.Vertex.ChartState;
 import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.statechart.Vertex.Pseudostate;
@@ -18,8 +11,12 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
 /**
- * Draws a flat machine as a chart that means the same, but for what {@link FlatLosses} lists. Several guards of a
- * transition become a chain of junctions.
+ * Draws a flat machine as a chart that means the same, but for memories of states, and what is kept from state to state.
+ * Several guards of a transition become a chain of junctions.
+ *
+ * <p>Threading: pure functions, which any thread may call.
+ *
+ * @since 0.1
  */
 public final class FlatDrawing {
     private static final String INITIAL = "initial";
