@@ -62,6 +62,8 @@
 #define STARTS 13
 #define RUNS 14
 #define RESUMES 15
+#define URGENT 16
+#define ANOTHER 17
 
 typedef Pending {
   byte id;
@@ -164,7 +166,11 @@ hidden int code;
 #define IS_TAKEN(d) (KIND(d) == EXISTING || KIND(d) == NEW)
 #define DECISION(table, device, system, event) table[IX(pair, device, system, event)]
 #define HAS_HAPPENED(one) (one.from != NONE || one.acted || one.kind == FOUND || one.kind == EVOLVED || one.kind == IN_DOUBT)
+#if defined(HAS_URGENT) && !defined(WHAT_IS_URGENT_HAS_NO_PLACE_OF_ITS_OWN)
+#define MAY_BE_LOST(one) (!HAS_HAPPENED(one) && one.source == BUTTON && !IS_URGENT(one))
+#else
 #define MAY_BE_LOST(one) (!HAS_HAPPENED(one) && one.source == BUTTON)
+#endif
 #define NEXT_STEP STEP(plan, taken)
 
 /* Rules.decide: stores the decision on the occurrence in progress in `code`, and the state where planning begins in `at_state`. */
@@ -208,7 +214,11 @@ inline find(state) {
 
 /* Ledger.followUnless: what was in doubt and waits to be decided again may have brought the device where it is. */
 #define HOLDS(id_) (line[0].id == (id_) || line[1].id == (id_) || line[2].id == (id_))
+#ifdef WHAT_IS_DECIDED_AGAIN_IS_TAKEN_FOR_ANOTHER_PRESS
+#define FOLLOW_UNLESS(together) owed = owed || !(together)
+#else
 #define FOLLOW_UNLESS(together) owed = owed || (!(together) && !(doubt && HOLDS(doubt_id)))
+#endif
 
 /* Ledger.followIfApart */
 inline follow_if_apart() { FOLLOW_UNLESS(STANDS_TOGETHER(device_at, system_at)) }
@@ -221,6 +231,8 @@ inline follow_if_apart() { FOLLOW_UNLESS(STANDS_TOGETHER(device_at, system_at)) 
 #define WHAT_RUNS function_table[IX(pair, 0, system_at, 0)]
 #define ANYWHERE 1
 #define SOMEWHERE 2
+
+#include "urgent.pml"
 
 /* ---- numbers: the lowest unused one, so that they do not grow without bound ---- */
 
@@ -330,6 +342,9 @@ inline enqueue(from_, own_) {
   if
   :: MAY_BE_LOST(next_one) && !(PLACES_TAKEN < CAPACITY || (!busy && PLACES_TAKEN < 1)) ->
     must(CROWDED_OUT, j >= CAPACITY);
+#ifdef HAS_URGENT
+    must(URGENT, !IS_URGENT(next_one));
+#endif
     not_heard()
   :: else -> append()
   fi
@@ -549,8 +564,11 @@ inline enter_as_left() {
 }
 
 inline enter_again(kind_) {
+#ifdef HAS_URGENT
+  see_urgent();
+#endif
   if
-  :: over && open && !(waiting > 0 && line[0].attempts > 0) && !SETTLING && !IS_ELSEWHERE ->
+  :: over && open && !(waiting > 0 && line[0].attempts > 0) && !SETTLING && !IS_ELSEWHERE UNLESS_URGENT ->
     if
     :: kind_ == EVOLVED && WHAT_RUNS != SOMEWHERE -> enter_as_left()
     :: else -> enter()

@@ -169,6 +169,9 @@ inline follow_device() {
 
 /* `late`: it was found before the last step was sent. */
 inline observed_found(state, late) {
+#if ONLY == ANOTHER
+  hears();
+#endif
   if
   :: late && stepped -> end_unheard()
   :: else ->
@@ -195,6 +198,9 @@ inline observed_found(state, late) {
     begun = entries;
     start_function()
   fi
+#if ONLY == ANOTHER
+  ; heard()
+#endif
 }
 
 inline timer_due(visit_) {

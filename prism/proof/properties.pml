@@ -33,6 +33,34 @@ inline must(property, holds) {
   fi
 }
 
+/* These compare what is so before and after an input; a search for one property has them only if it is for theirs. */
+#if ONLY == RESUMES
+hidden int awaited;
+
+/* Before a report, or a question that a report has answered, is decided. */
+inline awaits() {
+  awaited = ((work.kind == FOUND || work.kind == IN_DOUBT) && IS_REPORTED && COMPLETES(device_at) -> doubt_plan : 0)
+}
+
+inline came() {
+  must(RESUMES, awaited == 0 || doubt_plan != 0 || doubt == UNSETTLED || system_at == AFTER(awaited))
+}
+#endif
+#if ONLY == ANOTHER
+hidden byte owed_before, facts_before;
+
+/* Before the device says where it is. */
+inline hears() {
+  count_facts();
+  owed_before = owed;
+  facts_before = j
+}
+
+inline heard() {
+  must(ANOTHER, owed_before || facts_before > 0 || !owed || doubt != SETTLED || !HOLDS(doubt_id))
+}
+#endif
+
 #define WHEN(guard, ...) d_step { (guard) -> before(); __VA_ARGS__; after() }
 
 inline before() {

@@ -29,7 +29,7 @@ inline find_owed() {
   busy = 1
 }
 
-/* Line.next: the place of the first fact, else of the first occurrence, in `place`. */
+/* Line.next: the place of the first fact, else of what is urgent, else of the first occurrence, in `place`. */
 inline find_next() {
   place = 0;
 #ifndef FACTS_WAIT_BEHIND_REQUESTS
@@ -38,6 +38,15 @@ inline find_next() {
   :: else -> break
   od;
   place = (place < waiting -> place : 0)
+#endif
+#if defined(HAS_URGENT) && !defined(WHAT_IS_URGENT_WAITS_FOR_ITS_TURN)
+  ;
+  u = 0;
+  do
+  :: u < waiting && !IS_URGENT(line[u]) -> u++
+  :: else -> break
+  od;
+  place = (u < waiting && !HAS_HAPPENED(line[place]) -> u : place)
 #endif
 }
 
@@ -58,6 +67,10 @@ inline give_turn() {
     busy = 1;
     count_facts();
     must(HEARD_FIRST, HAS_HAPPENED(work) || j == 0);
+#ifdef HAS_URGENT
+    see_urgent();
+    must(URGENT, HAS_HAPPENED(work) || first_urgent == waiting || (IS_URGENT(work) && first_urgent >= place));
+#endif
     must(VISIT, work.visit != FORMER);
     must(QUESTION, doubt != UNSETTLED || work.kind == IN_DOUBT || !(line[0].kind == IN_DOUBT || line[1].kind == IN_DOUBT))
   fi
@@ -128,17 +141,29 @@ inline planned(id_, plan_, start, system) {
   :: busy && work.id == (id_) && stage == RESUMED -> stage = READY; forget_facts(); go_on()
   :: busy && work.id == (id_) && stage != RESUMED && !decided ->
     count_facts();
+#ifdef HAS_URGENT
+    see_urgent();
+#endif
     if
     :: device_at != (start) || system_at != (system) -> again()
 #ifndef A_REQUEST_THAT_HAS_BEGUN_IS_DECIDED_BEFORE_FACTS
     :: device_at == (start) && system_at == (system) && !HAS_HAPPENED(work) && (j > 0 || (owed && IS_ELSEWHERE)) -> give_way()
 #endif
+#if defined(HAS_URGENT) && !defined(A_REQUEST_THAT_HAS_BEGUN_IS_DECIDED_BEFORE_WHAT_IS_URGENT)
+    :: device_at == (start) && system_at == (system) && !HAS_HAPPENED(work) && !(j > 0 || (owed && IS_ELSEWHERE)) && IS_OVERTAKEN -> give_way()
+#endif
     :: else ->
       must(HEARD_FIRST, HAS_HAPPENED(work) || j == 0);
+#ifdef HAS_URGENT
+      must(URGENT, HAS_HAPPENED(work) || !IS_OVERTAKEN);
+#endif
 #ifdef A_NEW_STATE_SENDS_NOTHING
       plan = (KIND(plan_) == NEW -> WITHOUT_STEPS(plan_) : plan_);
 #else
       plan = plan_;
+#endif
+#if ONLY == RESUMES
+      awaits();
 #endif
       completes_by_report();
       decided = 1;
@@ -152,6 +177,9 @@ inline planned(id_, plan_, start, system) {
       :: else -> skip
       fi;
       go_on()
+#if ONLY == RESUMES
+      ; came()
+#endif
     fi
   :: else -> skip
   fi
@@ -160,7 +188,11 @@ inline planned(id_, plan_, start, system) {
 /* Conversion.reported: a report of the device's state may complete what was interrupted, as its answer does. */
 inline completes_by_report() {
   if
+#ifdef A_QUESTION_FORGETS_WHAT_A_REPORT_COMPLETES
+  :: IS_REPORTED ->
+#else
   :: IS_REPORTED && work.kind != IN_DOUBT ->
+#endif
     if
 #ifndef A_DOUBT_FORGETS_ITS_DECISION
     :: work.kind == FOUND && KIND(plan) == RESYNCHRONIZATION && COMPLETES(device_at) -> plan = WITHOUT_STEPS(doubt_plan)
@@ -192,6 +224,15 @@ inline go_on() {
 }
 
 inline sending(id_) {
+#ifdef HAS_URGENT
+  see_urgent();
+#ifndef A_PLAN_GOES_ON_WHILE_WHAT_IS_URGENT_WAITS
+  if
+  :: work.id == (id_) && stage != SENDING && decided && NEXT_STEP != NONE && IS_OVERTAKEN -> conclude(true)
+  :: else -> skip
+  fi;
+#endif
+#endif
   if
   :: busy && work.id == (id_) && stage != SENDING && decided && NEXT_STEP != NONE ->
     if
@@ -199,6 +240,9 @@ inline sending(id_) {
     :: true ->
 #else
     :: step_source == device_at && !(waiting > 0 && line[0].kind == IN_DOUBT) ->
+#endif
+#ifdef HAS_URGENT
+      must(URGENT, !IS_OVERTAKEN);
 #endif
       stage = SENDING;
       forget_facts()
@@ -363,7 +407,7 @@ inline again() {
   fi
 }
 
-/* What the device did by itself is heard first. */
+/* What the device did by itself is heard first, and then what is urgent. */
 inline give_way() {
   if
   :: !open -> conclude(true)
@@ -453,6 +497,9 @@ inline complete(state) {
 
 /* The result of a query of the device's state; `state` is NONE if it is unknown. */
 inline located(id_, state) {
+#if ONLY == ANOTHER
+  hears();
+#endif
 #ifdef AN_ANSWER_COUNTS_HOWEVER_OLD_IT_IS
   forget_facts();
 #endif
@@ -493,6 +540,9 @@ inline located(id_, state) {
       must(RESUMES, !completes || system_at == AFTER(noted_plan))
     fi
   fi
+#if ONLY == ANOTHER
+  ; heard()
+#endif
 }
 
 /* ---- changes ---- */

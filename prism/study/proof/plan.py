@@ -21,11 +21,13 @@ PROPERTIES = {
     "starts": "the function of such a state is started only while the device is there for certain, and no fact waits",
     "runs": "when nothing is left to do, the function of such a state runs",
     "resumes": "a transition to such a state whose last answer was lost is taken if the device is found there",
+    "urgent": "an urgent event is never lost, and no other request has its turn, is decided or sends a step while it waits",
+    "another": "what waits to be decided again is not taken for another press: the new model does not follow what that has done",
     "drains": "when nothing more happens, the queue drains",
     "swaps": "every swap ends: it is completed or abandoned",
 }
 NUMBERS = ("", "record", "once", "visit", "again", "sent", "stuck", "room", "together", "question", "heard",
-           "needed", "reached", "starts", "runs", "resumes")  # fmt: skip
+           "needed", "reached", "starts", "runs", "resumes", "urgent", "another")  # fmt: skip
 """The properties, by their numbers in prism/proof/core.pml."""
 
 
@@ -77,8 +79,23 @@ FAN = Pair(
         "--timer", "Boost=timeout",
     ),
 )  # fmt: skip
+LIFT = Pair(
+    "elevator",
+    "lift",
+    (
+        "--original", "prism/proof/lift/original.scxml",
+        "--new", "prism/proof/lift/new.scxml",
+        "--next", "prism/proof/lift/original.scxml",
+        "--mapping", "prism/proof/lift/mapping.txt",
+        "--sendable", "up,down",
+        "--pressed", "express,fire",
+        "--spontaneous", "down",
+        "--timer", "Alarm=timeout",
+        "--queue", "1",
+    ),
+)  # fmt: skip
 PAPERS_PAIRS = (ROBOT, BULB)
-PAIRS = (*PAPERS_PAIRS, FAN)
+PAIRS = (*PAPERS_PAIRS, FAN, LIFT)
 
 ACTS = {
     "PRESSES": "events of a controller",
@@ -114,11 +131,32 @@ LIVE_SCENES: tuple[tuple[str, Acts], ...] = (
     ("swaps", {"PRESSES": 2, "OWNS": 1, "GIVE_UPS": 1, "SWAPS": 2}),
 )
 
+DEVICE_STATE_SCENES: tuple[tuple[str, Acts], ...] = (
+    ("resumes", {"PRESSES": 1, "OWNS": 1, "JUMPS": 1, "ENDS": 1}),
+    ("another", {"PRESSES": 1, "OWNS": 1, "JUMPS": 1}),
+)
+"""Those of the fan in which a report of the device's state counts besides its answer."""
+
+URGENT_SCENES: tuple[tuple[str, Acts], ...] = (
+    ("", {"PRESSES": 3, "OWNS": 2}),
+    ("", {"PRESSES": 3, "OWNS": 1, "STOPS": 1}),
+    ("", {"PRESSES": 3, "OWNS": 1, "GIVE_UPS": 1}),
+    ("", {"PRESSES": 2, "OWNS": 1, "JUMPS": 1, "FAILS": 1}),
+    ("", {"PRESSES": 2, "OWNS": 1, "RAISES": 1, "ASKS": 1}),
+    ("", {"PRESSES": 3, "OWNS": 1, "ENDS": 1}),
+    ("", {"PRESSES": 2, "OWNS": 1, "SWAPS": 2}),
+    ("drains", {"PRESSES": 3, "OWNS": 1}),
+    ("drains", {"PRESSES": 2, "FAILS": 1, "ENDS": 1}),
+)
+"""Those of the elevator: at least one event of a controller is under way, or waits, when the urgent one comes."""
+
 
 def scenes(pair: Pair) -> list[tuple[str, Acts]]:
     """What is searched, with the property if it is only one. A press of the fan is two steps: where one may be lost, it is enough."""
+    if pair is LIFT:
+        return list(URGENT_SCENES)
     safe = [{**acts, "PRESSES": 1} if pair is FAN and {"GIVE_UPS", "ENDS"} & acts.keys() else acts for acts in SCENES]
-    return [*(("", acts) for acts in safe), *LIVE_SCENES]
+    return [*(("", acts) for acts in safe), *LIVE_SCENES, *(DEVICE_STATE_SCENES if pair is FAN else ())]
 
 
 @dataclass(frozen=True)
@@ -186,6 +224,12 @@ MUTANTS = (
     Mutant("A_FUNCTION_IS_STARTED_AT_ONCE", "the start of a function waits until the device is there for certain", "starts", FAN, {"PRESSES": 1, "GIVE_UPS": 1}, in_core=False),
     Mutant("A_START_THAT_HAS_TO_WAIT_IS_FORGOTTEN", "a start that has to wait is owed", "runs", FAN, {"PRESSES": 1, "GIVE_UPS": 1}),
     Mutant("A_DOUBT_FORGETS_ITS_DECISION", "a doubt remembers the decision that it interrupted", "resumes", FAN, {"PRESSES": 1, "ENDS": 1}),
+    Mutant("A_QUESTION_FORGETS_WHAT_A_REPORT_COMPLETES", "a question that a report has answered decides nothing", "resumes", FAN, {"PRESSES": 1, "JUMPS": 1, "ENDS": 1}),
+    Mutant("WHAT_IS_DECIDED_AGAIN_IS_TAKEN_FOR_ANOTHER_PRESS", "the new model does not follow what waits to be decided again", "another", FAN, {"PRESSES": 1, "JUMPS": 1}, UNORDERED, in_core=False),
+    Mutant("WHAT_IS_URGENT_HAS_NO_PLACE_OF_ITS_OWN", "an urgent event has a place of its own", "urgent", LIFT, {"PRESSES": 2}),
+    Mutant("WHAT_IS_URGENT_WAITS_FOR_ITS_TURN", "an urgent event has its turn before other requests", "urgent", LIFT, {"PRESSES": 3}, in_core=False),
+    Mutant("A_REQUEST_THAT_HAS_BEGUN_IS_DECIDED_BEFORE_WHAT_IS_URGENT", "a request gives way to an urgent event until it is decided", "urgent", LIFT, {"PRESSES": 2}),
+    Mutant("A_PLAN_GOES_ON_WHILE_WHAT_IS_URGENT_WAITS", "an urgent event ends a plan between two steps", "urgent", LIFT, {"PRESSES": 2}),
     Mutant("NOBODY_IS_ASKED_TO_GO_ON", "each step that took effect requests the next", "drains", ROBOT, {"PRESSES": 1}, in_core=False),
     Mutant("A_SWAP_HAS_NO_DEADLINE", "a swap that has to wait is abandoned eventually", "swaps", BULB, {"PRESSES": 1, "OWNS": 1, "GIVE_UPS": 1, "SWAPS": 1}, WORST, in_core=False),
 )  # fmt: skip

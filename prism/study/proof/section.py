@@ -32,13 +32,15 @@ def _what(searches: list[Row]) -> str:
     failed = [row for row in searches if row[-1] != "yes"]
     verdict = f"**{len(failed)} of them fail.**" if failed else "All hold."
     adapters = "; ".join(f"*{adapter.name}*: {adapter.meaning}" for adapter in ADAPTERS)
-    return f"""The specification in `prism/proof` (Promela) has the core's inputs, with the tables of the paper's two pairs, and
-of a fan whose boost needs the device somewhere, as `DecisionTable` compiles them from the model files, and an environment: a
-device that acts by itself, its adapter, the loop, people, functions, timers, crashes, swaps. [docs/proof.md](../../docs/proof.md)
-says what the properties mean, and lists the assumptions. Spin visits every interleaving of each scene, without bitstate hashing.
+    return f"""The specification in `prism/proof` (Promela) has the core's inputs, with the tables of the paper's two pairs, of a fan
+whose boost needs the device somewhere, and of an elevator whose fire alarm is urgent, as `DecisionTable` compiles them from the
+model files, and an environment: a device that acts by itself, its adapter, the loop, people, functions, timers, crashes,
+swaps. [docs/proof.md](../../docs/proof.md) says what the properties mean, and lists the assumptions. Spin visits every
+interleaving of each scene, without bitstate hashing.
 {len(searches)} searches, {states:,} states: {verdict}
 
-`drains` and `swaps` are about liveness, under weak fairness; `safety` is all others. Each scene is searched with two kinds of
+`drains` and `swaps` are about liveness, under weak fairness; `safety` is all others but `another`. That, and what `resumes` says
+of a report that is not an answer, have searches of their own. Each scene is searched with two kinds of
 device and adapter. {adapters}."""
 
 

@@ -172,7 +172,10 @@ record Scene(
         return new Scene(name, rules, rules, Mapping.byName(), sent, own, raised, true, true, Map.of());
     }
 
-    /** An elevator with express rides of two steps, which an alarm ends. One event may wait. */
+    /**
+     * An elevator with express rides of two steps, which an alarm ends: the pair of {@code prism/proof/lift}. One event
+     * may wait.
+     */
     static Scene lift() {
         String[] lift = {"F up -> G", "G up -> H", "H down -> G", "G down -> F"};
         return of(

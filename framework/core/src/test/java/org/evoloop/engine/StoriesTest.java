@@ -26,7 +26,8 @@ class StoriesTest {
         return Stream.of(
                 Arguments.of("robot", everything(Scene.robot())),
                 Arguments.of("bulb", everything(Scene.bulb())),
-                Arguments.of("fan", boosts()));
+                Arguments.of("fan", boosts()),
+                Arguments.of("lift", alarms()));
     }
 
     /** The fan is mostly pressed, so that it is often on its way to the state that its boost needs. */
@@ -35,6 +36,11 @@ class StoriesTest {
                 .with(5, Act.PRESS)
                 .with(2, Act.GIVE_UP, Act.END, Act.OWN)
                 .with(1, Act.FAIL, Act.JUMP);
+    }
+
+    /** The elevator is pressed most of all, so that the alarm often comes while something is under way or waits. */
+    private static Scene alarms() {
+        return Scene.lift().with(12, Act.PRESS).with(1, Act.GIVE_UP, Act.OWN, Act.JUMP, Act.FAIL, Act.END);
     }
 
     private static Scene everything(Scene scene) {

@@ -11,6 +11,7 @@ import org.evoloop.migration.Fate;
 import org.evoloop.migration.Succession;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
 
 /** The compiled decision tables of an evolution, in Promela, for {@code prism/proof/core.pml}. */
 final class Tables {
@@ -59,6 +60,10 @@ final class Tables {
         line("hidden byte is_own_table[EVENTS1];");
         line("hidden byte has_table[EVENTS1];");
         line("hidden byte only_table[EVENTS1];");
+        if (hasUrgent(false) || hasUrgent(true)) {
+            define("HAS_URGENT", 1);
+            line("hidden byte urgent_table[2 * DEVICE1 * SYSTEM1 * EVENTS1];");
+        }
         choices();
         line("#else");
         events(evolution.rules().table());
@@ -148,8 +153,23 @@ final class Tables {
         }
     }
 
+    private boolean hasUrgent(boolean swapped) {
+        return evolution.rules(swapped).table().models().hasUrgent();
+    }
+
+    /** Which events are urgent, and which of these a state takes. */
+    private void urgent(boolean swapped, Event event) {
+        StateMachine evolved = evolution.rules(swapped).table().models().evolved();
+        put("urgent_table", "IX(" + (swapped ? 1 : 0) + ", 0, 0, " + evolution.number(event) + ")", 1);
+        for (State system : evolved.states()) {
+            int takes = evolved.hasTrigger(system, event) ? 1 : 0;
+            put("urgent_table", index(swapped, 0, system, evolution.number(event)), takes);
+        }
+    }
+
     private void models(boolean swapped) {
         DecisionTable table = evolution.rules(swapped).table();
+        evolution.events().stream().filter(table.models()::isUrgent).forEach(event -> urgent(swapped, event));
         Succession succession = evolution.swap(swapped).succession();
         for (Event event : evolution.events()) {
             String index = "IX(" + (swapped ? 1 : 0) + ", 0, 0, " + evolution.number(event) + ")";

@@ -39,6 +39,19 @@ class GoldenTest {
                     "--spontaneous=power",
                     "--timer=Boost=timeout");
         }
+        if (pair.equals("lift")) {
+            String lift = ROOT.resolve("prism/proof/lift").toString();
+            return List.of(
+                    "--original=" + lift + "/original.scxml",
+                    "--new=" + lift + "/new.scxml",
+                    "--next=" + lift + "/original.scxml",
+                    "--mapping=" + lift + "/mapping.txt",
+                    "--sendable=up,down",
+                    "--pressed=express,fire",
+                    "--spontaneous=down",
+                    "--timer=Alarm=timeout",
+                    "--queue=1");
+        }
         return pair.equals("robot")
                 ? List.of(
                         "--original=" + models + "/cleaning-robot.xml#original",
@@ -65,7 +78,7 @@ class GoldenTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"robot", "bulb", "fan"})
+    @ValueSource(strings = {"robot", "bulb", "fan", "lift"})
     void theTablesAreThoseOfTheModelFiles(String pair) throws IOException {
         assertThat(run(arguments(pair))).isZero();
 
@@ -74,7 +87,7 @@ class GoldenTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"robot", "bulb", "fan"})
+    @ValueSource(strings = {"robot", "bulb", "fan", "lift"})
     void theCoreDoesWhatItDid(String pair) throws IOException {
         assertThat(run(arguments(pair), "--traces=40", "--seed=1")).isZero();
 
