@@ -18,7 +18,8 @@ class RetrofitFileTest(FanCase):
     def java(self, command: str) -> list[str]:
         """The documented command as ./evoloop runs it."""
         _, name, *words = documented(command, GUIDE)
-        return ["java", "-cp", str(TOOL), "org.evoloop.service.Ctl", *words] if name == "ctl" else ["java", "-jar", str(TOOL), "device", name, *words]
+        tool = ["java", "-cp", str(TOOL)]
+        return [*tool, "org.evoloop.service.Ctl", *words] if name == "ctl" else [*tool, "org.evoloop.models.Main", "device", name, *words]
 
     def done(self, command: list[str]) -> str:
         ended = subprocess.run(command, cwd=self.folder, env=self.environment, capture_output=True, text=True, timeout=PATIENCE_S)
@@ -26,26 +27,19 @@ class RetrofitFileTest(FanCase):
         return ended.stdout
 
     def ctl(self, command: str) -> str:
-        return subprocess.run(
-            self.java(f"./evoloop ctl my-fan {command}"), env=self.environment, capture_output=True, text=True, timeout=PATIENCE_S
-        ).stdout
+        line = self.java(f"./evoloop ctl my-fan {command}")
+        return subprocess.run(line, env=self.environment, capture_output=True, text=True, timeout=PATIENCE_S).stdout
 
     def begin_a_folder(self) -> None:
         new = self.java("./evoloop new my-fan --connection lines --address tcp://127.0.0.1:4001 --events power,speed")
         self.assertIn("wrote my-fan/my-fan.yaml", self.done(new))
         (sentence,) = [line for line in GUIDE.splitlines() if line.startswith("Type `start`, `press power`")]
-        start, press, history, leave = re.findall("`(.*?)`", sentence)
+        shown = {"start": "running: original Off", "press power": "new_current_state: On", "history": "(Off, Off) -> (On, On)", "exit": ""}
+        self.assertEqual(re.findall("`(.*?)`", sentence), list(shown))
         simulated = self.begin(self.java("./evoloop run my-fan/my-fan.yaml --simulate"), cwd=self.folder, stdin=subprocess.PIPE)
-        self.type(simulated, start)
-        until("it runs", lambda: "running: original Off" in self.said(simulated))
-        self.type(simulated, press)
-
-        def is_handled() -> bool:
-            self.type(simulated, history)
-            return "(Off, Off) -> (On, On)" in self.said(simulated)
-
-        until("the press is handled", is_handled)
-        self.type(simulated, leave)
+        for typed, expected in shown.items():
+            self.type(simulated, typed)
+            until(f"{typed} shows {expected}", lambda: expected in self.said(simulated))
         self.assertEqual(simulated.wait(timeout=PATIENCE_S), 0, self.said(simulated))
 
     @staticmethod

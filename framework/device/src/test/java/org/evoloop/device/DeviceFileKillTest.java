@@ -78,12 +78,15 @@ class DeviceFileKillTest {
             connections:
               broker: {mqtt: "BROKER", command-topic: heater/set, state-topic: heater}
             device:
-              send: {power: power, level: level}
+              send: {power: "power ${number}", level: "level ${number}"}
               state: {json: /state, values: {Off: "Off", Warm: Warm, Hot: Hot}}
               confirmed: {within: 1 s}
               ask: {topic: heater/get, payload: ""}
             controller:
-              press: {topic: remote, values: {power: power, level: level, boost: boost}}
+              press:
+                - {topic: remote, pattern: "power (?<number>[0-9]+)", event: power}
+                - {topic: remote, pattern: "level (?<number>[0-9]+)", event: level}
+                - {topic: remote, pattern: "boost (?<number>[0-9]+)", event: boost}
             """;
 
     @TempDir
@@ -93,6 +96,7 @@ class DeviceFileKillTest {
     private final Random random = new Random(seed);
     private final List<String> story = new ArrayList<>();
     private final Imitation device = new Imitation(HEATER, Faults.NONE, seed);
+    private final List<Integer> mostCommands = new ArrayList<>();
     private int starts;
     private Process converter;
 
@@ -128,11 +132,10 @@ class DeviceFileKillTest {
 
     private void killOne(Mosquitto broker, int kill) throws Exception {
         settle();
-        long before = device.logged("obeys");
         String at = device.truth();
         List<String> events = at.equals("Off") ? List.of("power", "boost") : List.of("power", "level");
         String event = events.get(random.nextInt(events.size()));
-        press(broker, event);
+        press(broker, event + " " + kill);
         TimeUnit.MICROSECONDS.sleep(random.nextInt(30_000));
         int whom = kill % 3;
         story.add("press " + event + " in " + at + ", kills "
@@ -150,8 +153,18 @@ class DeviceFileKillTest {
         }
         settle();
         // A device that forgets where it was is brought there again.
-        int most = (event.equals("boost") ? 2 : 1) * (whom == 2 ? 2 : 1);
-        assertThat(device.logged("obeys") - before).isLessThanOrEqualTo(most);
+        mostCommands.add((event.equals("boost") ? 2 : 1) * (whom == 2 ? 2 : 1));
+        for (int press = 0; press <= kill; press++) {
+            assertThat(commandsFor(press))
+                    .as("commands for press %d", press)
+                    .isLessThanOrEqualTo(mostCommands.get(press));
+        }
+    }
+
+    private long commandsFor(int press) {
+        return device.log().stream()
+                .filter(line -> line.startsWith("obeys ") && line.contains(" " + press + ","))
+                .count();
     }
 
     private void press(Mosquitto broker, String event) throws Exception {

@@ -13,13 +13,26 @@ import picocli.CommandLine;
 
 /** Runs the command line; a mistake of the user is one message and exit status 2. */
 public final class Main {
+    /** The property that names Logback's configuration. */
+    private static final String LOG_FILE = "logback.configurationFile";
+
     private Main() {}
 
     public static void main(String[] arguments) {
         List<String> words = List.of(arguments);
+        if (words.size() < 2 || !words.subList(0, 2).equals(List.of("device", "run"))) {
+            beQuiet();
+        }
         boolean isDevice = !words.isEmpty() && words.get(0).equals("device");
         System.exit(
                 isDevice ? DeviceCommands.run(words.subList(1, words.size()), Main::onTerminal) : onTerminal(words));
+    }
+
+    /** What is only tried has no transcript; that of a converter that runs is as in every program. */
+    private static void beQuiet() {
+        if (System.getProperty(LOG_FILE) == null) {
+            System.setProperty(LOG_FILE, "quiet.xml");
+        }
     }
 
     private static int onTerminal(List<String> arguments) {

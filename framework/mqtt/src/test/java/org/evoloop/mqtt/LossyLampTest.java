@@ -38,19 +38,20 @@ class LossyLampTest {
 
     @Test
     void aFewPresses() throws Exception {
-        // With this seed the lamp loses a command among the first, and obeys and reports too late.
-        press(40, 7);
+        Faults many =
+                new Faults(20, 10, 20, LIMIT.dividedBy(2), LIMIT.multipliedBy(6).dividedBy(5));
+        press(40, many, 7);
     }
 
     @Test
     @Tag("slow")
     void aThousandPresses() throws Exception {
-        press(1000, Long.getLong("evoloop.seed", new Random().nextLong()));
+        press(1000, Faults.around(LIMIT), Long.getLong("evoloop.seed", new Random().nextLong()));
     }
 
-    private void press(int presses, long seed) throws Exception {
+    private void press(int presses, Faults faults, long seed) throws Exception {
         try (Mosquitto broker = new Mosquitto(directory).start();
-                Imitation lamp = new Imitation(MODEL, Faults.around(LIMIT), seed);
+                Imitation lamp = new Imitation(MODEL, faults, seed);
                 Gateway gateway = new Gateway(broker, "z2m/lamp", lamp);
                 SystemClock clock = new SystemClock();
                 BrokerConnection connection = new BrokerConnection(BrokerAddress.parse(broker.url()), "converter");
@@ -73,7 +74,7 @@ class LossyLampTest {
             }
             System.out.println(presses + " presses, seed " + seed + ": " + lamp.logged("loses") + " commands lost, "
                     + doubts + " doubts");
-            assertThat(lamp.logged("loses")).isPositive().isLessThan(doubts);
+            assertThat(lamp.logged("loses")).isPositive().isLessThanOrEqualTo(doubts);
         }
     }
 
