@@ -71,6 +71,19 @@ final class RobotEvents {
     static final String STATE_CHARGING = "Charging";
     static final String STATE_CHARGED = "Charged";
 
+    /** All states that its model may have. */
+    static final List<String> STATES = List.of(
+            STATE_OFF,
+            STATE_ON,
+            STATE_CLEAN,
+            STATE_SPOT,
+            STATE_DOCK,
+            MAX,
+            STATE_ASLEEP,
+            STATE_ERROR,
+            STATE_CHARGING,
+            STATE_CHARGED);
+
     private RobotEvents() {}
 
     /** Whether this event is pressed or requested. */

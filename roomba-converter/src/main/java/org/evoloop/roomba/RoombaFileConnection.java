@@ -70,6 +70,9 @@ final class RoombaFileConnection extends Connection {
         RobotEvents.FACTS.stream()
                 .filter(models::isOfTheDevice)
                 .forEach(event -> models.devicesOwn(named(section, event)));
+        RobotEvents.STATES.stream()
+                .filter(models::isStateOfTheDevice)
+                .forEach(state -> models.deviceState(named(section, state)));
         return new RoombaFileConnection(
                 name,
                 port,

@@ -5,16 +5,18 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.awaitility.Awaitility.await;
 
 import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.io.InputStream;
-import java.io.PipedInputStream;
-import java.io.PipedOutputStream;
+import java.io.InterruptedIOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.evoloop.device.DeviceFile;
 import org.evoloop.device.DeviceProgram;
@@ -31,6 +33,9 @@ class RoombaDeviceFileTest {
             Path.of(System.getProperty("evoloop.root", "..")).resolve("devices/roomba/roomba.yaml");
     private static final Duration PATIENCE = Duration.ofSeconds(60);
 
+    private final BlockingQueue<Byte> typed = new LinkedBlockingQueue<>();
+    private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
+
     @TempDir
     private Path folder;
 
@@ -44,27 +49,25 @@ class RoombaDeviceFileTest {
         assertThat(file.sent()).containsExactlyInAnyOrder("Clean", "Spot", "Dock", "Max", "Power", "Undock");
     }
 
-    /** Its buttons are heard, its functions run, and they end with their state. */
+    /** Its events are sent, its functions run, and they end with their state. */
     @Test
     void itRunsWithASimulatedRobot() throws Exception {
         InputStream in = System.in;
         PrintStream out = System.out;
-        ByteArrayOutputStream printed = new ByteArrayOutputStream();
-        try (PipedOutputStream keys = new PipedOutputStream();
-                PrintStream typed = new PrintStream(keys, true, StandardCharsets.UTF_8)) {
-            System.setIn(new PipedInputStream(keys));
+        try {
+            System.setIn(new Typed());
             System.setOut(new PrintStream(printed, true, StandardCharsets.UTF_8));
             CompletableFuture<Integer> status =
                     CompletableFuture.supplyAsync(() -> DeviceProgram.run(FILE, List.of("--simulate", "--start")));
-            await().atMost(PATIENCE).until(() -> says("status", "link        up", typed, printed));
-            typed.println("robot press clean");
-            await().atMost(PATIENCE)
-                    .until(() -> says("history", "Clean (panel, the device acted)  (Off, Off)", typed, printed));
-            typed.println("press Spot");
-            await().atMost(PATIENCE).until(() -> says("status", "driving to the starting point", typed, printed));
-            typed.println("press Power");
-            await().atMost(PATIENCE).until(() -> says("history", "(On, Move) -> (Off, Off)", typed, printed));
-            typed.println("exit");
+            awaitAnswer("status", "link        up");
+            type("press Clean");
+            awaitAnswer("history", "(Off, Off) -> (On, On)");
+            awaitAnswer("robot state", "\"activity\":\"on\"");
+            type("press Spot");
+            awaitAnswer("status", "driving to the starting point");
+            type("press Power");
+            awaitAnswer("history", "(On, Move) -> (Off, Off)");
+            type("exit");
             assertThat(status.get(PATIENCE.toSeconds(), TimeUnit.SECONDS)).isZero();
         } finally {
             System.setIn(in);
@@ -72,9 +75,35 @@ class RoombaDeviceFileTest {
         }
     }
 
-    private static boolean says(String command, String answer, PrintStream typed, ByteArrayOutputStream printed) {
-        typed.println(command);
-        return printed.toString(StandardCharsets.UTF_8).contains(answer);
+    private void awaitAnswer(String command, String answer) {
+        await(answer).atMost(PATIENCE).until(() -> {
+            type(command);
+            return printed.toString(StandardCharsets.UTF_8).contains(answer);
+        });
+    }
+
+    private void type(String line) {
+        for (byte each : (line + "\n").getBytes(StandardCharsets.UTF_8)) {
+            typed.add(each);
+        }
+    }
+
+    /** What is typed, whichever threads read it. */
+    private final class Typed extends InputStream {
+        @Override
+        public int read() throws IOException {
+            try {
+                return typed.take();
+            } catch (InterruptedException end) {
+                throw new InterruptedIOException();
+            }
+        }
+
+        @Override
+        public int read(byte[] bytes, int from, int most) throws IOException {
+            bytes[from] = (byte) read();
+            return 1;
+        }
     }
 
     @Test

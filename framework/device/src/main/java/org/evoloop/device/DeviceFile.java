@@ -41,7 +41,12 @@ import org.slf4j.LoggerFactory;
 public final class DeviceFile {
     private static final Logger LOG = LoggerFactory.getLogger(DeviceFile.class);
 
+    /** What {@link #readAgain} takes over. */
+    private static final Set<String> CHANGEABLE =
+            Set.of("models", "functions", "guards", "effects", "scenarios", "learn");
+
     private final Path path;
+    private final Node.Entries root;
     private final String name;
     private final FileModels models;
     private final ModelPair pair;
@@ -56,6 +61,7 @@ public final class DeviceFile {
 
     private DeviceFile(Path path, Reader reader, FileModels models, ModelReader read, Connections connections) {
         this.path = path;
+        this.root = reader.file.node();
         this.name = models.converter();
         this.models = models;
         this.pair = models.models();
@@ -90,6 +96,56 @@ public final class DeviceFile {
         models.checkAll(file);
         problems.throwIfAny();
         return new DeviceFile(problems.file(), reader, models, read, connections);
+    }
+
+    /**
+     * Reads the file again, for a converter that runs: what has changed in its models, functions, guards and effects acts
+     * over the connections of this one, which stay open.
+     *
+     * @throws DeviceFileException with all mistakes, or with what has changed and cannot be taken over
+     */
+    DeviceFile readAgain(Options programOptions) {
+        DeviceFile next = read(path, programOptions);
+        Problems problems = new Problems(path);
+        Section now = new Section("", next.root, problems);
+        Section before = new Section("", root, new Problems(path));
+        Set<Node.Text> keys = new LinkedHashSet<>(now.keys());
+        keys.addAll(before.keys());
+        for (Node.Text key : keys) {
+            if (!CHANGEABLE.contains(key.value()) && !content(now, key).equals(content(before, key))) {
+                problems.at(
+                        key,
+                        "'" + key + "' has changed, which a running converter cannot take over; restart it, or undo"
+                                + " that change");
+            }
+        }
+        problems.throwIfAny();
+        Reader over = new Reader(
+                now, new FileModels(name, next.references.isEmpty() ? null : next.pair, problems), connections);
+        over.functionsAndEffects();
+        problems.throwIfAny();
+        return new DeviceFile(next, over, connections);
+    }
+
+    private static String content(Section section, Node.Text key) {
+        return section.any(key.value()).map(Node::content).orElse("");
+    }
+
+    /** @param over whose functions use {@code opened} */
+    private DeviceFile(DeviceFile next, Reader over, Connections opened) {
+        this.path = next.path;
+        this.root = next.root;
+        this.name = next.name;
+        this.models = next.models;
+        this.pair = next.pair;
+        this.references = next.references;
+        this.properties = next.properties;
+        this.guards = over.guards;
+        this.connections = opened;
+        this.knowledge = over.content;
+        this.scenarios = next.scenarios;
+        this.options = next.options;
+        this.learning = next.learning;
     }
 
     /** The converter's name. */
@@ -223,16 +279,20 @@ public final class DeviceFile {
                 rules(controller, "press", Connection::press);
                 controller.done();
             });
-            file.named("functions").forEach((state, section) -> {
-                models.newState(state);
-                functionReader.function(state, section).ifPresent(function -> functions.put(state.value(), function));
-            });
-            file.section("effects").ifPresent(all -> all.keys().forEach(text -> effect(all, text)));
+            functionsAndEffects();
             file.section("learn").ifPresent(learn -> learning = LearnSection.read(learn, models));
             file.section("scenarios").ifPresent(all -> scenarios.addAll(Scenario.read(all, models)));
             programOptions.names().forEach(this::option);
             programOptions.check(options, file.problems()::at);
             file.done();
+        }
+
+        void functionsAndEffects() {
+            file.named("functions").forEach((state, section) -> {
+                models.newState(state);
+                functionReader.function(state, section).ifPresent(function -> functions.put(state.value(), function));
+            });
+            file.section("effects").ifPresent(all -> all.keys().forEach(text -> effect(all, text)));
         }
 
         private void option(String option) {

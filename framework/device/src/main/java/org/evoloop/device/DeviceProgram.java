@@ -3,7 +3,6 @@ package org.evoloop.device;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import org.evoloop.config.Option;
 import org.evoloop.config.Options;
@@ -75,31 +74,31 @@ public final class DeviceProgram {
 
     private void assemble(ProgramSetup setup) throws IOException {
         setup.controller(new PushMonitor("Console"));
+        Reload reload = new Reload(file, setup.converter(), open(setup));
+        setup.command(reload.command());
+        setup.knowledge(reload::knowledge);
+    }
+
+    /** Adds what is at the other end; the links that were added. */
+    private List<DeviceLink> open(ProgramSetup setup) throws IOException {
+        List<DeviceLink> links;
         // What is only shown touches no device.
         if (setup.settings().isOnlyShown()) {
-            play(setup);
+            links = play(setup);
         } else if (setup.settings().isOn(SIMULATE)) {
-            simulate(setup);
+            // With what a connection has as a simulation, else by the model.
+            links = Wiring.simulate(file, setup.converter(), parts -> add(parts, setup))
+                    .orElseGet(() -> play(setup));
         } else {
-            connect(setup);
+            links = Wiring.add(file, setup.converter(), parts -> add(parts, setup));
         }
-        setup.knowledge(file::knowledge);
+        file.guards().attach(setup.clock(), links);
+        return links;
     }
 
-    /** With what a connection has as a simulation, else by the model. */
-    private void simulate(ProgramSetup setup) throws IOException {
-        Optional<List<DeviceLink>> links = Wiring.simulate(file, setup.converter(), parts -> add(parts, setup));
-        if (links.isPresent()) {
-            file.guards().attach(setup.clock(), links.get());
-        } else {
-            play(setup);
-        }
-    }
-
-    private void play(ProgramSetup setup) {
+    private List<DeviceLink> play(ProgramSetup setup) {
         SimulatedDevice device = file.simulated();
         device.addTo(setup.converter(), setup.clock());
-        file.guards().attach(setup.clock(), List.of());
         Set<Event> own = file.devicesOwn();
         setup.command(ConsoleCommand.naming(
                 "device EVENT",
@@ -108,11 +107,7 @@ public final class DeviceProgram {
                 (event, more) -> device.acts(event)));
         setup.onOpen(
                 () -> device.put(setup.converter().status().states().original().name()));
-    }
-
-    private void connect(ProgramSetup setup) throws IOException {
-        List<DeviceLink> links = Wiring.add(file, setup.converter(), parts -> add(parts, setup));
-        file.guards().attach(setup.clock(), links);
+        return List.of();
     }
 
     private static void add(Parts parts, ProgramSetup setup) {

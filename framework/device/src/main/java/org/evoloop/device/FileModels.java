@@ -54,6 +54,11 @@ public final class FileModels {
         return pair == null || pair.original().triggers().contains(new Event(event));
     }
 
+    /** Whether it is a state of the original model; without models, any is. */
+    public boolean isStateOfTheDevice(String state) {
+        return pair == null || !pair.original().alike(new State(state)).isEmpty();
+    }
+
     /** The models, once the whole file has been read; without any in the file, those that assume nothing. */
     public ModelPair models() {
         return pair == null ? free() : pair;
@@ -197,8 +202,10 @@ public final class FileModels {
             require(event, "an event that is sent to the device", sent);
         }
         if (pair == null) {
+            // An event that is not sent yet may be one of a model that is not drawn yet, unless it looks misspelt.
             pressed.stream()
-                    .filter(event -> !sent.contains(event))
+                    .filter(event ->
+                            !sent.contains(event) && !Names.meant(event, sent).isEmpty())
                     .forEach(event -> problems.at(
                             place, "a control raises '" + event + "', which is not sent" + Names.hint(event, sent)));
             return;

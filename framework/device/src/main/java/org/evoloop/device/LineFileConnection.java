@@ -174,7 +174,12 @@ final class LineFileConnection extends Connection {
 
     @Override
     public NewFunction function(Node.Text state, Section section) {
-        functionsOf.add(state.value());
+        LineConnection running = opened;
+        if (running == null) {
+            functionsOf.add(state.value());
+        } else {
+            functions.computeIfAbsent(state.value(), added -> new RemoteFunction(running.functions()));
+        }
         return visit -> requireNonNull(functions.get(state.value())).run(visit);
     }
 

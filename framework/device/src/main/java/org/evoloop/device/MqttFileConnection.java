@@ -230,6 +230,9 @@ final class MqttFileConnection extends Connection {
     @Override
     public NewFunction function(Node.Text state, Section section) {
         String topic = topic(section, "topic");
+        if (opened != null && !functions.containsKey(state.value())) {
+            section.problem("a broker's connection that is open takes no further function; restart the converter");
+        }
         functionTopics.put(state.value(), topic == null ? usualTopic(models.converter(), state.value()) : topic);
         return visit -> requireNonNull(functions.get(state.value())).run(visit);
     }

@@ -10,6 +10,7 @@ import java.io.InterruptedIOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
@@ -21,6 +22,9 @@ import org.junit.jupiter.api.extension.ExtensionContext;
 
 /** The standard input and output of a program in this process, for the time of a test. */
 final class TypedConsole implements BeforeEachCallback, AfterEachCallback {
+    /** Programs start slowly on a busy computer. */
+    private static final Duration PATIENCE = Duration.ofSeconds(30);
+
     private final InputStream in = System.in;
     private final PrintStream out = System.out;
     private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
@@ -61,7 +65,7 @@ final class TypedConsole implements BeforeEachCallback, AfterEachCallback {
 
     /** Waits until the history has this. */
     void awaitHistory(String line) {
-        await("history with " + line).until(() -> {
+        await("history with " + line).atMost(PATIENCE).until(() -> {
             type("history 20");
             return printed().contains(line);
         });
@@ -69,7 +73,7 @@ final class TypedConsole implements BeforeEachCallback, AfterEachCallback {
 
     /** Waits until the status has this. */
     void awaitStatus(String part) {
-        await("status with " + part).until(() -> {
+        await("status with " + part).atMost(PATIENCE).until(() -> {
             type("status");
             return printed().contains(part);
         });

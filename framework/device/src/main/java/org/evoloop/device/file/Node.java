@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 
 /**
  * A part of a file, as it is written.
@@ -49,6 +50,19 @@ public sealed interface Node {
         public Entries {
             entries = Collections.unmodifiableMap(new LinkedHashMap<>(entries));
         }
+    }
+
+    /** What is written, without its place: equal for two parts that say the same. */
+    default String content() {
+        if (this instanceof Entries mapping) {
+            return mapping.entries().entrySet().stream()
+                    .map(entry ->
+                            entry.getKey().content() + ": " + entry.getValue().content())
+                    .collect(Collectors.joining(", ", "{", "}"));
+        }
+        return this instanceof Items list
+                ? list.items().stream().map(Node::content).collect(Collectors.joining(", ", "[", "]"))
+                : "'" + this + "'";
     }
 
     /** For messages. */
