@@ -19,6 +19,9 @@ import org.jspecify.annotations.Nullable;
 final class FunctionReader {
     private static final List<String> ACTIONS = List.of("send", "raise", "finish", "wait", "say", "run", "to");
 
+    /** What connections send. */
+    private static final List<String> OUTWARD = List.of("line", "payload", "call", "pulse", "hold");
+
     private final FileModels models;
     private final Connections connections;
 
@@ -103,7 +106,9 @@ final class FunctionReader {
      * @param state whose function it belongs to
      */
     private @Nullable Action action(Node.Text state, Section section) {
-        String kind = section.oneOf(ACTIONS).orElse(null);
+        // Where there is one connection, what is sent over it says enough.
+        boolean isSaid = OUTWARD.stream().anyMatch(section::has) && ACTIONS.stream().noneMatch(section::has);
+        String kind = isSaid ? "to" : section.oneOf(ACTIONS).orElse(null);
         if (kind == null) {
             return null;
         }

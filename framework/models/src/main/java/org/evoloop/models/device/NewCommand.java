@@ -12,6 +12,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
+import java.util.regex.Matcher;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.evoloop.console.Console;
@@ -119,7 +120,7 @@ final class NewCommand implements Callable<Integer> {
         Files.writeString(folder.resolve("README.md"), drawings(name, taken));
     }
 
-    /** Copies the folder of a device; its commands name the new folder then. */
+    /** Copies the folder of a device; its commands name the new folder then, and its links still lead where they led. */
     private void copy(String device, String name) throws IOException {
         Path devices = ModelFiles.find("devices/fan/fan.yaml", NewCommand.class)
                 .resolveSibling("..")
@@ -136,11 +137,13 @@ final class NewCommand implements Callable<Integer> {
             files = listed.filter(Files::isRegularFile).sorted().toList();
         }
         Files.createDirectory(folder);
+        String toDevices = folder.toAbsolutePath().normalize().relativize(devices.toAbsolutePath()) + "/";
         for (Path file : files) {
             boolean isDeviceFile = file.endsWith(device + ".yaml");
             String text = Files.readString(file)
                     .replace("devices/" + device + "/" + device + ".yaml", folder + "/" + name + ".yaml")
-                    .replace("devices/" + device + "/", folder + "/");
+                    .replace("devices/" + device + "/", folder + "/")
+                    .replaceAll("(?<=\\(|: )\\.\\./", Matcher.quoteReplacement(toDevices));
             Files.writeString(
                     folder.resolve(
                             isDeviceFile ? name + ".yaml" : file.getFileName().toString()),

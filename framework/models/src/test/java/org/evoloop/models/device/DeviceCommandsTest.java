@@ -10,6 +10,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -98,6 +100,15 @@ class DeviceCommandsTest {
                 .as(errors() + printed())
                 .isZero();
         assertThat(printed()).contains("passed: ").doesNotContain("FAILED");
+    }
+
+    @Test
+    void theLinksOfACopiedDeviceStillLeadWhereTheyLed() throws IOException {
+        Path mine = folder.resolve("mine");
+        run("new", mine.toString(), "--from", "air-conditioner");
+        Matcher link = Pattern.compile("\\((\\.\\./[^)]*)\\)").matcher(Files.readString(mine.resolve("README.md")));
+        assertThat(link.find()).isTrue();
+        assertThat(mine.resolve(link.group(1))).isRegularFile();
     }
 
     @Test
