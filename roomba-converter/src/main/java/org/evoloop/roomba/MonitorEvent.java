@@ -66,7 +66,7 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
     }
 
     @Override
-    public void spotEnded(SpotWatch.Ending how) {
+    public void spotEnded(SpotWatch.SpotEnd how) {
         LOG.debug("spot cleaning has ended: {}", how);
         pushFromDevice(RobotEvents.END_SPOT);
         session.reportSoon();

@@ -34,10 +34,10 @@ final class RoombaVacuum implements Vacuum {
             List.of(new Note(72, 16), new Note(76, 16), new Note(79, 16), new Note(84, 32));
 
     /** What each command does is what its button does in On. */
-    private static final Map<Command, String> BUTTONS = Map.of(
-            Command.START, RobotEvents.CLEAN,
-            Command.CLEAN_SPOT, RobotEvents.SPOT,
-            Command.RETURN_TO_BASE, RobotEvents.DOCK);
+    private static final Map<Order, String> BUTTONS = Map.of(
+            Order.START, RobotEvents.CLEAN,
+            Order.CLEAN_SPOT, RobotEvents.SPOT,
+            Order.RETURN_TO_BASE, RobotEvents.DOCK);
 
     /** Leaving these by a button switches the robot on or drives it off its base. */
     private static final Set<String> RESTING = Set.of(
@@ -97,11 +97,11 @@ final class RoombaVacuum implements Vacuum {
     }
 
     @Override
-    public Set<Command> commands() {
+    public Set<Order> commands() {
         StateMachine evolved = models().evolved();
-        Set<Command> offered = EnumSet.of(Command.LOCATE);
+        Set<Order> offered = EnumSet.of(Order.LOCATE);
         if (evolved.hasState(ON)) {
-            offered.addAll(List.of(Command.STOP, Command.PAUSE));
+            offered.addAll(List.of(Order.STOP, Order.PAUSE));
         }
         BUTTONS.forEach((command, button) -> {
             if (evolved.nextState(ON, new Event(button)).isPresent()) {
@@ -112,20 +112,20 @@ final class RoombaVacuum implements Vacuum {
     }
 
     @Override
-    public void perform(Command command) {
+    public void perform(Order command) {
         switch (command) {
             case START, CLEAN_SPOT -> home.goTo(where(command));
             case RETURN_TO_BASE -> returnToBase();
             case STOP, PAUSE -> {
                 if (!stop()) {
-                    paused &= command == Command.PAUSE;
+                    paused &= command == Order.PAUSE;
                     return;
                 }
             }
             case LOCATE -> locate();
         }
-        if (command != Command.LOCATE) {
-            paused = command == Command.PAUSE;
+        if (command != Order.LOCATE) {
+            paused = command == Order.PAUSE;
             rested = false;
         }
     }
@@ -137,7 +137,7 @@ final class RoombaVacuum implements Vacuum {
         } else if (now.original().name().equals(RobotEvents.STATE_OFF)) {
             throw new IllegalStateException("the robot is off, and going home would switch it on; start it first");
         } else {
-            home.goTo(where(Command.RETURN_TO_BASE), RoombaVacuum::isAwakeOnTheFloor);
+            home.goTo(where(Order.RETURN_TO_BASE), RoombaVacuum::isAwakeOnTheFloor);
         }
     }
 
@@ -178,7 +178,7 @@ final class RoombaVacuum implements Vacuum {
         return converter.knowledge().models();
     }
 
-    private State where(Command command) {
+    private State where(Order command) {
         String button = requireNonNull(BUTTONS.get(command));
         return models().evolved()
                 .nextState(ON, new Event(button))

@@ -8,10 +8,10 @@ import java.util.OptionalInt;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import java.util.stream.LongStream;
+import org.evoloop.roomba.simulator.eye.CameraImage;
 import org.evoloop.roomba.simulator.eye.Effects;
 import org.evoloop.roomba.simulator.eye.Eye;
 import org.evoloop.roomba.simulator.eye.EyeOptions;
-import org.evoloop.roomba.simulator.eye.Picture;
 import org.evoloop.roomba.simulator.room.Finish;
 import org.evoloop.roomba.simulator.room.Marker;
 import org.evoloop.roomba.simulator.room.Pose;
@@ -57,7 +57,7 @@ class RedQuadrantsTest {
         }
 
         /** @param without the same picture without the board; the two differ where the board is */
-        static Red in(Picture picture, Picture without) {
+        static Red in(CameraImage picture, CameraImage without) {
             int[] count = new int[2];
             byte[] bgr = without.bgr();
             for (int i = 0; i < bgr.length; i += 3) {

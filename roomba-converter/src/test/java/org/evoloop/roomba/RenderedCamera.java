@@ -10,10 +10,10 @@ import org.evoloop.roomba.camera.MarkerSpec;
 import org.evoloop.roomba.camera.Sighting;
 import org.evoloop.roomba.camera.vision.MarkerFinder;
 import org.evoloop.roomba.camera.vision.OpenCv;
+import org.evoloop.roomba.simulator.eye.CameraImage;
 import org.evoloop.roomba.simulator.eye.Effects;
 import org.evoloop.roomba.simulator.eye.Eye;
 import org.evoloop.roomba.simulator.eye.EyeOptions;
-import org.evoloop.roomba.simulator.eye.Picture;
 import org.evoloop.roomba.simulator.robot.RobotState;
 import org.evoloop.roomba.simulator.robot.SimulatedRoomba;
 import org.evoloop.roomba.simulator.room.Pose;
@@ -61,7 +61,7 @@ final class RenderedCamera implements MarkerCamera {
     }
 
     private Optional<Sighting> look(Pose pose, double turnRadPerS) {
-        Picture picture = eye.render(room, pose, turnRadPerS, ++pictures);
+        CameraImage picture = eye.render(room, pose, turnRadPerS, ++pictures);
         return finder.find(picture.bgr(), picture.widthPx(), picture.heightPx());
     }
 

@@ -12,7 +12,7 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.mqtt.BrokerAddress;
 import org.evoloop.mqtt.HomeAssistant;
 import org.evoloop.mqtt.Vacuum.Activity;
-import org.evoloop.mqtt.Vacuum.Command;
+import org.evoloop.mqtt.Vacuum.Order;
 import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 
 /** What the vacuum offers, shows and refuses; {@code AtHomeTest} has what it presses. */
 class RoombaVacuumTest {
-    private static final List<Command> ENDING = List.of(Command.STOP, Command.PAUSE, Command.RETURN_TO_BASE);
+    private static final List<Order> ENDING = List.of(Order.STOP, Order.PAUSE, Order.RETURN_TO_BASE);
 
     private SteppedRoomba roomba = with(RoombaPair.of("home"));
     private RoombaVacuum vacuum = vacuum();
@@ -58,18 +58,18 @@ class RoombaVacuumTest {
 
     @Test
     void itOffersWhatTheNewModelCanDo() {
-        assertThat(vacuum.commands()).isEqualTo(EnumSet.allOf(Command.class));
+        assertThat(vacuum.commands()).isEqualTo(EnumSet.allOf(Order.class));
         take(RoombaPair.of("guest"));
-        assertThat(vacuum.commands()).as("CLEAN does nothing in On").doesNotContain(Command.START);
+        assertThat(vacuum.commands()).as("CLEAN does nothing in On").doesNotContain(Order.START);
         take(PaperPair.cleaningRobot());
-        assertThat(vacuum.commands()).as("there is no dock").doesNotContain(Command.RETURN_TO_BASE);
+        assertThat(vacuum.commands()).as("there is no dock").doesNotContain(Order.RETURN_TO_BASE);
     }
 
     @Test
     void whatEndsSomethingLeavesARobotThatIsOff() {
-        vacuum.perform(Command.STOP);
-        vacuum.perform(Command.PAUSE);
-        assertThatThrownBy(() -> vacuum.perform(Command.RETURN_TO_BASE)).hasMessageContaining("the robot is off");
+        vacuum.perform(Order.STOP);
+        vacuum.perform(Order.PAUSE);
+        assertThatThrownBy(() -> vacuum.perform(Order.RETURN_TO_BASE)).hasMessageContaining("the robot is off");
         assertThat(roomba.advance(Duration.ofSeconds(1)).states()).isEqualTo(SteppedRoomba.at("Off", "Off"));
         assertThat(shown()).isEqualTo(Activity.IDLE);
     }
@@ -99,14 +99,14 @@ class RoombaVacuumTest {
         roomba.robot.dock();
         roomba.advance(Duration.ofSeconds(3));
         assertThat(roomba.states()).isEqualTo(SteppedRoomba.at("Charging", "ChargeThenMove"));
-        assertThatThrownBy(() -> vacuum.perform(Command.STOP)).hasMessageContaining("would drive it off its base");
+        assertThatThrownBy(() -> vacuum.perform(Order.STOP)).hasMessageContaining("would drive it off its base");
         assertThat(shown()).isEqualTo(Activity.DOCKED);
     }
 
     @Test
     void aPauseOfARobotAtRestIsNone() {
         roomba.press(RobotEvents.CLEAN).advance(Duration.ofSeconds(1));
-        vacuum.perform(Command.PAUSE);
+        vacuum.perform(Order.PAUSE);
         assertThat(shown()).isEqualTo(Activity.IDLE);
     }
 

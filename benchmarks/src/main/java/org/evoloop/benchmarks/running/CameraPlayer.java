@@ -10,9 +10,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import org.evoloop.roomba.simulator.eye.CameraImage;
 import org.evoloop.roomba.simulator.eye.Eye;
 import org.evoloop.roomba.simulator.eye.EyeOptions;
-import org.evoloop.roomba.simulator.eye.Picture;
 import org.evoloop.roomba.simulator.room.Marker;
 import org.evoloop.roomba.simulator.room.RandomRooms;
 import org.evoloop.roomba.simulator.room.Room;
@@ -53,7 +53,7 @@ final class CameraPlayer {
         try (Jpeg jpeg = new Jpeg()) {
             for (int number = 0; number < PICTURES; number++) {
                 double distanceMm = FIRST_MM + (LAST_MM - FIRST_MM) * number / (PICTURES - 1);
-                Picture seen = eye.render(room, marker.before(distanceMm), 0, number);
+                CameraImage seen = eye.render(room, marker.before(distanceMm), 0, number);
                 pictures.add(jpeg.encode(seen));
             }
         }

@@ -40,7 +40,7 @@ import org.evoloop.fleet.wire.Wire;
 import org.evoloop.mqtt.BrokerAddress;
 import org.evoloop.mqtt.BrokerConnection;
 import org.evoloop.mqtt.Message;
-import org.evoloop.mqtt.edge.Carried;
+import org.evoloop.mqtt.edge.LastCommands;
 import org.evoloop.mqtt.edge.Outbox;
 import org.evoloop.payload.JsonObject;
 import org.evoloop.payload.JsonRecord;
@@ -76,7 +76,7 @@ public final class Gateway implements AutoCloseable {
     private final Consumer<String> statusListener;
     private final BrokerConnection mqtt;
     private final Outbox outbox;
-    private final Carried carried;
+    private final LastCommands carried;
     /** The highest number stored of each device that numbers its records, since the start. */
     private final Map<String, Long> kept = new ConcurrentHashMap<>();
 
@@ -109,7 +109,7 @@ public final class Gateway implements AutoCloseable {
         this.statusListener = statusListener;
         // If the directory was lost, the numbers must be higher than those that the fleet has seen.
         this.outbox = new Outbox(directory, System.currentTimeMillis());
-        this.carried = new Carried(directory);
+        this.carried = new LastCommands(directory);
         this.mqtt = new BrokerConnection(mqtt, name);
         for (String device : devices) {
             this.mqtt.subscribe(topic(device, "occurrence"), message -> store(Topic.OCCURRENCES, device, message));

@@ -48,11 +48,11 @@ public final class Options {
     private final @Nullable Object command;
     private final List<Option<?>> declared;
     private final List<Secret> secrets;
-    private final List<Check> checks;
+    private final List<Condition> checks;
 
     /** A check across several options. */
     @FunctionalInterface
-    public interface Check {
+    public interface Condition {
         /**
          * Adds a mistake for each violation.
          *
@@ -67,7 +67,7 @@ public final class Options {
             @Nullable Object command,
             List<Option<?>> declared,
             List<Secret> secrets,
-            List<Check> checks) {
+            List<Condition> checks) {
         this.program = program;
         this.purpose = purpose;
         this.command = command;
@@ -134,7 +134,7 @@ public final class Options {
     }
 
     /** A copy with another check. */
-    public Options checking(Check check) {
+    public Options checking(Condition check) {
         return new Options(program, purpose, command, declared, secrets, joined(checks, List.of(check)));
     }
 

@@ -12,7 +12,7 @@ import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Step;
 import org.evoloop.migration.Carried;
 import org.evoloop.migration.Carried.How;
-import org.evoloop.migration.Carried.Part;
+import org.evoloop.migration.Carried.What;
 import org.evoloop.migration.Fate;
 import org.evoloop.migration.Succession;
 import org.evoloop.statemachine.Event;
@@ -75,7 +75,7 @@ final class Takeover {
     }
 
     private static boolean keepsFunction(Fate.Maps maps) {
-        return maps.carried().stream().allMatch(each -> each.part() == Part.TIMER || each.how() == How.KEPT);
+        return maps.carried().stream().allMatch(each -> each.part() == What.TIMER || each.how() == How.KEPT);
     }
 
     /**
@@ -147,7 +147,7 @@ final class Takeover {
     /** The event under which a timer of the running models continues; null if it does not. */
     private @Nullable Event kept(Fate.Maps maps, Event timer) {
         for (Carried each : maps.carried()) {
-            if (each.part() == Part.TIMER
+            if (each.part() == What.TIMER
                     && each.how() == How.KEPT
                     && each.name().equals(timer.name())) {
                 return each.name().equals(each.becomes()) ? timer : new Event(each.becomes());
@@ -169,7 +169,7 @@ final class Takeover {
         });
         Set<String> kept = new HashSet<>();
         for (Carried each : maps.carried()) {
-            if (each.part() == Part.TIMER && each.how() == How.KEPT) {
+            if (each.part() == What.TIMER && each.how() == How.KEPT) {
                 kept.add(each.becomes());
             }
         }

@@ -7,7 +7,7 @@ import java.util.Set;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Timers;
 import org.evoloop.migration.Carried.How;
-import org.evoloop.migration.Carried.Part;
+import org.evoloop.migration.Carried.What;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
@@ -47,9 +47,9 @@ final class Belongings {
             boolean continues = begun.remove(becomes);
             boolean anew = mapping.restartedTimers().contains(key) || (!atOnce && next.needsDevice(to));
             How how = !continues ? How.ENDED : anew ? How.RESTARTED : How.KEPT;
-            all.add(new Carried(Part.TIMER, timer, continues ? becomes : timer, how));
+            all.add(new Carried(What.TIMER, timer, continues ? becomes : timer, how));
         }
-        begun.forEach(timer -> all.add(new Carried(Part.TIMER, timer, timer, How.STARTED)));
+        begun.forEach(timer -> all.add(new Carried(What.TIMER, timer, timer, How.STARTED)));
         functions(from, to, atOnce, all);
         return all;
     }
@@ -62,14 +62,14 @@ final class Belongings {
                 && (before.equals(after) || mapping.keptFunctions().contains(plain(from)));
         if (same) {
             boolean anew = !atOnce || mapping.restartedFunctions().contains(plain(from));
-            all.add(new Carried(Part.FUNCTION, before, after, anew ? How.RESTARTED : How.KEPT));
+            all.add(new Carried(What.FUNCTION, before, after, anew ? How.RESTARTED : How.KEPT));
             return;
         }
         if (!before.isEmpty()) {
-            all.add(new Carried(Part.FUNCTION, before, before, How.ENDED));
+            all.add(new Carried(What.FUNCTION, before, before, How.ENDED));
         }
         if (!after.isEmpty()) {
-            all.add(new Carried(Part.FUNCTION, after, after, How.STARTED));
+            all.add(new Carried(What.FUNCTION, after, after, How.STARTED));
         }
     }
 

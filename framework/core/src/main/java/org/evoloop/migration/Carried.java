@@ -11,9 +11,9 @@ import java.util.Locale;
  * @param becomes its name in the next model; the same as {@code name} unless a mapping says otherwise
  * @since 0.1
  */
-public record Carried(Part part, String name, String becomes, How how) {
+public record Carried(What part, String name, String becomes, How how) {
     /** The kind of part. */
-    public enum Part {
+    public enum What {
         /** A timer event of a state. */
         TIMER,
         /** The function of a new state. */

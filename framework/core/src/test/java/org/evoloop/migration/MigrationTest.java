@@ -13,7 +13,7 @@ import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Step;
 import org.evoloop.migration.Carried.How;
-import org.evoloop.migration.Carried.Part;
+import org.evoloop.migration.Carried.What;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
@@ -150,20 +150,20 @@ class MigrationTest {
         Mapping moved = Mapping.byName().withState(fading, new State("Muting"));
         assertThat(carried(next, moved, "Playing", "Fading"))
                 .containsExactly(
-                        new Carried(Part.TIMER, "tm(2s)", "tm(2s)", How.ENDED),
-                        new Carried(Part.TIMER, "tm(3s)", "tm(3s)", How.STARTED),
-                        new Carried(Part.FUNCTION, "Fading", "Fading", How.ENDED),
-                        new Carried(Part.FUNCTION, "Muting", "Muting", How.STARTED));
+                        new Carried(What.TIMER, "tm(2s)", "tm(2s)", How.ENDED),
+                        new Carried(What.TIMER, "tm(3s)", "tm(3s)", How.STARTED),
+                        new Carried(What.FUNCTION, "Fading", "Fading", How.ENDED),
+                        new Carried(What.FUNCTION, "Muting", "Muting", How.STARTED));
         assertThat(carried(next, moved.withTimer(timer, "tm(3s)").withFunction(fading, true), "Playing", "Fading"))
                 .containsExactly(
-                        new Carried(Part.TIMER, "tm(2s)", "tm(3s)", How.KEPT),
-                        new Carried(Part.FUNCTION, "Fading", "Muting", How.KEPT))
+                        new Carried(What.TIMER, "tm(2s)", "tm(3s)", How.KEPT),
+                        new Carried(What.FUNCTION, "Fading", "Muting", How.KEPT))
                 .extracting(Carried::toString)
                 .containsExactly("timer tm(2s) kept as tm(3s)", "function Fading kept as Muting");
         assertThat(carried(next, moved, "Paused", "Dozing"))
                 .containsExactly(
-                        new Carried(Part.TIMER, "tm(9s)", "tm(9s)", How.STARTED),
-                        new Carried(Part.FUNCTION, "Dozing", "Dozing", How.KEPT));
+                        new Carried(What.TIMER, "tm(9s)", "tm(9s)", How.STARTED),
+                        new Carried(What.FUNCTION, "Dozing", "Dozing", How.KEPT));
     }
 
     @Test

@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
  * @param steps in their order
  * @since 0.1
  */
-public record Scenario(String name, List<Step> steps) {
+public record Scenario(String name, List<Line> steps) {
     public Scenario {
         steps = List.copyOf(steps);
     }
@@ -30,7 +30,7 @@ public record Scenario(String name, List<Step> steps) {
      * @param text for messages
      * @param action what happens or is expected
      */
-    public record Step(int line, String text, Action action) {}
+    public record Line(int line, String text, Action action) {}
 
     /** What happens in a step, or is expected. */
     @FunctionalInterface
@@ -70,12 +70,12 @@ public record Scenario(String name, List<Step> steps) {
     static List<Scenario> read(Section all, FileModels models) {
         List<Scenario> scenarios = new ArrayList<>();
         for (Node.Text name : all.keys()) {
-            List<Step> steps = new ArrayList<>();
+            List<Line> steps = new ArrayList<>();
             for (Section step : all.listed(name.value())) {
                 Action action = action(step, models);
                 step.done();
                 if (action != null) {
-                    steps.add(new Step(step.node().line(), step.toString(), action));
+                    steps.add(new Line(step.node().line(), step.toString(), action));
                 }
             }
             scenarios.add(new Scenario(name.value(), steps));
@@ -131,7 +131,7 @@ public record Scenario(String name, List<Step> steps) {
         try (ConverterHarness converter =
                 ConverterHarness.of(file.knowledge(file.models())).with(device).start()) {
             Running running = new Running(converter, device);
-            for (Step step : steps) {
+            for (Line step : steps) {
                 try {
                     step.action().perform(running);
                 } catch (AssertionError | IllegalStateException | IllegalArgumentException failed) {

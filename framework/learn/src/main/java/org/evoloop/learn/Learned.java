@@ -31,7 +31,7 @@ import org.jspecify.annotations.Nullable;
  */
 public record Learned(
         List<String> states,
-        List<Transition> edges,
+        List<Arrow> edges,
         int depth,
         int words,
         Duration took,
@@ -53,7 +53,7 @@ public record Learned(
      * @param soonest after what time, at least, for what the device does by itself
      * @param latest after what time, at most
      */
-    public record Transition(
+    public record Arrow(
             String source, String input, String target, Heard heard, int seen, Duration soonest, Duration latest) {
         /** As a line of text. */
         @Override
@@ -101,7 +101,7 @@ public record Learned(
         Map<Integer, String> shown = new HashMap<>();
         collect(machine, tree.root(), 0, seen, shown);
         List<String> names = names(machine.size(), shown);
-        List<Transition> edges = new ArrayList<>();
+        List<Arrow> edges = new ArrayList<>();
         List<String> remarks = new ArrayList<>();
         for (int state = 0; state < machine.size(); state++) {
             for (int input = 0; input < machine.inputs().size(); input++) {
@@ -118,7 +118,7 @@ public record Learned(
                         all.stream().map(Edge::soonest).min(Duration::compareTo).orElseThrow();
                 Duration latest =
                         all.stream().map(Edge::latest).max(Duration::compareTo).orElseThrow();
-                Transition edge = new Transition(
+                Arrow edge = new Arrow(
                         names.get(state),
                         machine.inputs().get(input),
                         names.get(machine.next()[state][input]),
@@ -185,7 +185,7 @@ public record Learned(
         StateMachineBuilder model = StateMachine.named(name).initial(states.get(0));
         states.forEach(model::state);
         Set<String> own = new HashSet<>();
-        for (Transition edge : edges) {
+        for (Arrow edge : edges) {
             boolean loops = edge.source().equals(edge.target());
             Heard heard = edge.heard();
             boolean acts = edge.input().equals(LearnedDevice.WAIT) && !heard.leavesItAlone();
@@ -200,7 +200,7 @@ public record Learned(
         return model.build();
     }
 
-    private static String trigger(Transition edge) {
+    private static String trigger(Arrow edge) {
         if (!edge.input().equals(LearnedDevice.WAIT)) {
             return edge.input();
         }

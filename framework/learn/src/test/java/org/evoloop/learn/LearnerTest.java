@@ -93,7 +93,7 @@ class LearnerTest {
                 .extracting(Object::toString)
                 .containsExactlyInAnyOrder("Off --power--> On", "On --power--> Off", "On --after 20 s--> Off");
         assertThat(learned.edges())
-                .extracting(Learned.Transition::toString)
+                .extracting(Learned.Arrow::toString)
                 .anyMatch(line -> line.matches("On --after 20 s--> Off: seen .*, after 20.0 to 20.0 s"))
                 .anyMatch(line -> line.startsWith("Off --jam--> Off: refused, seen "))
                 .anyMatch(line -> line.startsWith("Off: does nothing by itself, seen "));
@@ -116,7 +116,7 @@ class LearnerTest {
 
         assertThat(learned.open()).isEmpty();
         assertThat(learned.edges())
-                .extracting(Learned.Transition::toString)
+                .extracting(Learned.Arrow::toString)
                 .contains("On --reset-->: not tried, a rule forbids it");
     }
 

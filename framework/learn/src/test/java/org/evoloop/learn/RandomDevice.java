@@ -137,7 +137,7 @@ final class RandomDevice implements LearnedDevice {
 
     /** What differs between this machine and a learned one, by walking both together; empty if they are equal. */
     String differs(Learned learned) {
-        Map<String, Learned.Transition> edges = new HashMap<>();
+        Map<String, Learned.Arrow> edges = new HashMap<>();
         learned.edges().forEach(edge -> edges.put(edge.source() + " " + edge.input(), edge));
         Map<Integer, String> pairs = new HashMap<>();
         pairs.put(0, learned.states().get(0));
@@ -146,7 +146,7 @@ final class RandomDevice implements LearnedDevice {
             int at = open.get(i);
             for (int k = 0; k <= inputs.size(); k++) {
                 boolean waits = k == inputs.size();
-                Learned.Transition edge = edges.get(pairs.get(at) + " " + (waits ? WAIT : inputs.get(k)));
+                Learned.Arrow edge = edges.get(pairs.get(at) + " " + (waits ? WAIT : inputs.get(k)));
                 if (edge == null) {
                     return "nothing for input " + k + " in " + pairs.get(at);
                 }

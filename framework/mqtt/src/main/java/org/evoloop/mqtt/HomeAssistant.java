@@ -198,8 +198,8 @@ public final class HomeAssistant implements AutoCloseable {
         return this;
     }
 
-    private static Vacuum.Command command(String payload) {
-        for (Vacuum.Command command : Vacuum.Command.values()) {
+    private static Vacuum.Order command(String payload) {
+        for (Vacuum.Order command : Vacuum.Order.values()) {
             if (command.name().toLowerCase(Locale.ROOT).equals(payload)) {
                 return command;
             }

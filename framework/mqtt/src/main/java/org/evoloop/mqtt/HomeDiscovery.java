@@ -142,7 +142,7 @@ final class HomeDiscovery {
     }
 
     /** The vacuum, after which the device is named, with the commands that it offers. */
-    HomeDiscovery vacuum(Set<Vacuum.Command> commands) {
+    HomeDiscovery vacuum(Set<Vacuum.Order> commands) {
         List<String> features = new ArrayList<>();
         commands.forEach(command -> features.add(feature(command)));
         features.add("status");
@@ -155,8 +155,8 @@ final class HomeDiscovery {
                         .putTexts("supported_features", features));
     }
 
-    private static String feature(Vacuum.Command command) {
-        return command == Vacuum.Command.RETURN_TO_BASE
+    private static String feature(Vacuum.Order command) {
+        return command == Vacuum.Order.RETURN_TO_BASE
                 ? "return_home"
                 : command.name().toLowerCase(Locale.ROOT);
     }

@@ -30,7 +30,7 @@ public interface Vacuum {
     }
 
     /** The commands that Home Assistant gives, by their usual payloads. */
-    enum Command {
+    enum Order {
         /** Start or resume cleaning. */
         START,
         /** Stop. */
@@ -52,8 +52,8 @@ public interface Vacuum {
      * The commands that Home Assistant offers: those that the new model can carry out. Asked again when other models
      * have taken over.
      */
-    default Set<Command> commands() {
-        return EnumSet.allOf(Command.class);
+    default Set<Order> commands() {
+        return EnumSet.allOf(Order.class);
     }
 
     /**
@@ -61,5 +61,5 @@ public interface Vacuum {
      *
      * @throws Exception any failure: its message is shown as the reason why the command was refused
      */
-    void perform(Command command) throws Exception;
+    void perform(Order command) throws Exception;
 }

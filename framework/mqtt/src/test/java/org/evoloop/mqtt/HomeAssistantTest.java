@@ -29,7 +29,7 @@ class HomeAssistantTest {
     @TempDir
     private Path directory;
 
-    private final List<Vacuum.Command> obeyed = new CopyOnWriteArrayList<>();
+    private final List<Vacuum.Order> obeyed = new CopyOnWriteArrayList<>();
     private Lamp lamp;
     private Mosquitto broker;
     private HomeAssistant home;
@@ -47,7 +47,7 @@ class HomeAssistantTest {
                     }
 
                     @Override
-                    public void perform(Command command) {
+                    public void perform(Order command) {
                         obeyed.add(command);
                     }
                 })
@@ -220,7 +220,7 @@ class HomeAssistantTest {
     void theVacuumObeysItsCommandsAndNoneThatIsOld() throws Exception {
         watcher.awaitNewest("evoloop/lamp/availability", "online");
         watcher.publish("evoloop/lamp/vacuum/set", "return_to_base", true);
-        await().atMost(LIMIT).until(() -> obeyed.equals(List.of(Vacuum.Command.RETURN_TO_BASE)));
+        await().atMost(LIMIT).until(() -> obeyed.equals(List.of(Vacuum.Order.RETURN_TO_BASE)));
         try (Logged logged = new Logged("org.evoloop.mqtt");
                 BrokerConnection usurper = new BrokerConnection(BrokerAddress.parse(broker.url()), "evoloop-lamp")) {
             usurper.open();
@@ -228,7 +228,7 @@ class HomeAssistantTest {
                     .untilAsserted(() -> assertThat(logged.lines()).anyMatch(line -> line.contains("retained")));
         }
         watcher.publish("evoloop/lamp/vacuum/set", "clean_spot", false);
-        await().atMost(LIMIT).until(() -> obeyed.contains(Vacuum.Command.CLEAN_SPOT));
+        await().atMost(LIMIT).until(() -> obeyed.contains(Vacuum.Order.CLEAN_SPOT));
         assertThat(obeyed).hasSize(2);
     }
 

@@ -65,7 +65,7 @@ class MessagesFuzzTest {
                             }
 
                             @Override
-                            public void perform(Command command) {
+                            public void perform(Order command) {
                                 // A vacuum that obeys every command.
                             }
                         })

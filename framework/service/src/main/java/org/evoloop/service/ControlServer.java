@@ -52,7 +52,7 @@ final class ControlServer implements AutoCloseable {
     private final ExecutorService workers;
 
     /** In order of idleness, longest first. */
-    private final Set<Connection> connections = new LinkedHashSet<>();
+    private final Set<ControlConnection> connections = new LinkedHashSet<>();
 
     private volatile boolean closing;
 
@@ -112,11 +112,11 @@ final class ControlServer implements AutoCloseable {
                 LOG.warn("the control socket {}: {}", path, failure.getMessage());
             }
         }
-        List.copyOf(connections).forEach(Connection::drop);
+        List.copyOf(connections).forEach(ControlConnection::drop);
     }
 
     private void serve(SelectionKey key) {
-        if (key.attachment() instanceof Connection connection) {
+        if (key.attachment() instanceof ControlConnection connection) {
             connection.advance();
         } else if (hasRoom()) {
             admit();
@@ -128,7 +128,7 @@ final class ControlServer implements AutoCloseable {
 
     private boolean hasRoom() {
         if (connections.size() >= CLIENTS) {
-            connections.stream().filter(Connection::isIdle).findFirst().ifPresent(Connection::drop);
+            connections.stream().filter(ControlConnection::isIdle).findFirst().ifPresent(ControlConnection::drop);
         }
         return connections.size() < CLIENTS;
     }
@@ -138,7 +138,7 @@ final class ControlServer implements AutoCloseable {
             SocketChannel channel = door.accept();
             if (channel != null) {
                 channel.configureBlocking(false);
-                Connection connection = new Connection(this, channel, selector);
+                ControlConnection connection = new ControlConnection(this, channel, selector);
                 connections.add(connection);
                 connection.advance();
             }
@@ -148,14 +148,14 @@ final class ControlServer implements AutoCloseable {
     }
 
     /** Marks this connection as the most recently used. */
-    void served(Connection connection) {
+    void served(ControlConnection connection) {
         if (connections.remove(connection)) {
             connections.add(connection);
         }
         doorKey.interestOps(SelectionKey.OP_ACCEPT);
     }
 
-    void gone(Connection connection) {
+    void gone(ControlConnection connection) {
         connections.remove(connection);
         doorKey.interestOps(SelectionKey.OP_ACCEPT);
     }

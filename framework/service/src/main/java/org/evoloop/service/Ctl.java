@@ -128,8 +128,8 @@ public final class Ctl {
         if (line.contains("\n") || line.contains("\r")) {
             throw new IllegalArgumentException("a command is one line");
         }
-        if (line.getBytes(StandardCharsets.UTF_8).length >= Connection.LONGEST_LINE) {
-            throw new IllegalArgumentException(Connection.TOO_LONG);
+        if (line.getBytes(StandardCharsets.UTF_8).length >= ControlConnection.LONGEST_LINE) {
+            throw new IllegalArgumentException(ControlConnection.TOO_LONG);
         }
         return line;
     }

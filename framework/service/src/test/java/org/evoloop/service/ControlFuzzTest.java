@@ -85,7 +85,7 @@ class ControlFuzzTest {
                 "status\nstop\n".getBytes(StandardCharsets.UTF_8),
                 "half a li".getBytes(StandardCharsets.UTF_8),
                 "\n\r\n\u0000\n\u2028\n".getBytes(StandardCharsets.UTF_8),
-                "x".repeat(Connection.LONGEST_LINE).getBytes(StandardCharsets.UTF_8),
+                "x".repeat(ControlConnection.LONGEST_LINE).getBytes(StandardCharsets.UTF_8),
                 new byte[] {(byte) 0xFF, (byte) 0xFE, '\n'});
     }
 }

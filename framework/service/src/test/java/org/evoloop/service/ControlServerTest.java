@@ -117,7 +117,7 @@ class ControlServerTest {
 
     @Test
     void theLongestLineIsServedAndALongerOneRefused() throws Exception {
-        String longest = "x".repeat(Connection.LONGEST_LINE - 1);
+        String longest = "x".repeat(ControlConnection.LONGEST_LINE - 1);
         Client client = client().send(longest + "\n");
         assertThat(client.line()).isEqualTo("out done " + longest);
         assertThat(client.line()).isEqualTo("end 0");
@@ -165,7 +165,7 @@ class ControlServerTest {
         // Connections are accepted in order.
         assertServes();
 
-        clock.advance(Connection.LIMIT);
+        clock.advance(ControlConnection.LIMIT);
 
         assertThat(silent.line()).isNull();
         assertThat(half.line()).isNull();

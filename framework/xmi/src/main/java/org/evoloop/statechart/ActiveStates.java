@@ -23,7 +23,7 @@ final class ActiveStates {
         this.net = net;
     }
 
-    void load(Snapshot snapshot) {
+    void load(StableConfiguration snapshot) {
         for (int leaf : snapshot.leaves()) {
             Node node = net.node(leaf);
             if (node.is(Kind.TERMINATE)) {
@@ -44,9 +44,9 @@ final class ActiveStates {
     }
 
     /** The machine's current state. */
-    Snapshot snapshot() {
+    StableConfiguration snapshot() {
         if (terminated != null) {
-            return new Snapshot(new int[] {terminated.index}, new int[0], new int[0]);
+            return new StableConfiguration(new int[] {terminated.index}, new int[0], new int[0]);
         }
         List<Integer> leaves = new ArrayList<>();
         net.tops().forEach(top -> leaves(top, leaves));
@@ -59,7 +59,7 @@ final class ActiveStates {
                 written.add(vertex);
             }
         });
-        return new Snapshot(ints(leaves), ints(written), ints(done));
+        return new StableConfiguration(ints(leaves), ints(written), ints(done));
     }
 
     /** Whatever is drawn, a stable machine is in one state of each region of each active state. */

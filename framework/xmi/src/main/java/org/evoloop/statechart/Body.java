@@ -38,8 +38,8 @@ final class Body {
         return active;
     }
 
-    Outcome outcome() {
-        return new Outcome(active.snapshot(), List.copyOf(effects), left, entered);
+    StepResult outcome() {
+        return new StepResult(active.snapshot(), List.copyOf(effects), left, entered);
     }
 
     /** The completed states whose completion transitions have not been tried yet, in order. */

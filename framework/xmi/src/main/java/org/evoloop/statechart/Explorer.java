@@ -44,7 +44,7 @@ final class Explorer {
      */
     private final int[] alone;
 
-    private final Map<Snapshot, Reached> others = new HashMap<>();
+    private final Map<StableConfiguration, Reached> others = new HashMap<>();
     private final Map<String, Cause> events = new HashMap<>();
     /** Null if the machine cannot be too large. */
     private final @Nullable SizeEstimate tooLarge;
@@ -72,7 +72,7 @@ final class Explorer {
      * @param outcome null if nothing happens
      * @param deferred whether the event is deferred in that case
      */
-    private record Case(List<String> guards, @Nullable Outcome outcome, boolean deferred) {}
+    private record Case(List<String> guards, @Nullable StepResult outcome, boolean deferred) {}
 
     void explore() {
         try {
@@ -90,7 +90,7 @@ final class Explorer {
 
     /** The outcome of starting the machine; null if there are problems. */
     @Nullable
-    Outcome start() {
+    StepResult start() {
         return start == null ? null : start.outcome();
     }
 
@@ -115,12 +115,12 @@ final class Explorer {
     }
 
     /** The state with this snapshot. */
-    Reached reached(Snapshot state) {
+    Reached reached(StableConfiguration state) {
         return requireNonNull(find(state));
     }
 
     private void begin() {
-        List<Case> cases = cases(Step::start);
+        List<Case> cases = cases(RunToCompletion::start);
         for (Case one : cases) {
             if (one.outcome() != null) {
                 if (start != null) {
@@ -213,10 +213,10 @@ final class Explorer {
     }
 
     /** The move of a state that may have orthogonal states beside it. */
-    private Move plain(Link link, Cause cause, Snapshot state) {
+    private Move plain(Link link, Cause cause, StableConfiguration state) {
         work(state.leaves().length);
         visited.set(link.target.index);
-        Snapshot after = state.with(link.source, link.target);
+        StableConfiguration after = state.with(link.source, link.target);
         return new Move(cause, List.of(), number(after), PlainSteps.effects(link), false, Set.of(link.source), false);
     }
 
@@ -239,7 +239,7 @@ final class Explorer {
     private void take(Link link) {
         visited.set(link.target.index);
         if (alone[link.target.index] == NONE) {
-            reach(Snapshot.of(link.target));
+            reach(StableConfiguration.of(link.target));
         }
     }
 
@@ -268,7 +268,7 @@ final class Explorer {
         List<Move> found = new ArrayList<>();
         for (int i = 0; i < cases.size(); i++) {
             Case one = cases.get(i);
-            Outcome outcome = one.outcome();
+            StepResult outcome = one.outcome();
             if (outcome != null) {
                 found.add(new Move(
                         cause,
@@ -301,17 +301,17 @@ final class Explorer {
                 .anyMatch(one -> one.outcome() != null && nothing.guards().containsAll(one.guards()));
     }
 
-    private int found(Outcome outcome) {
+    private int found(StepResult outcome) {
         outcome.entered().forEach(node -> visited.set(node.index));
         return number(outcome.target());
     }
 
-    private int number(Snapshot state) {
+    private int number(StableConfiguration state) {
         Reached known = find(state);
         return (known == null ? reach(state) : known).index;
     }
 
-    private @Nullable Reached find(Snapshot state) {
+    private @Nullable Reached find(StableConfiguration state) {
         if (!state.isOneState()) {
             return others.get(state);
         }
@@ -319,7 +319,7 @@ final class Explorer {
         return number == NONE ? null : reached.get(number);
     }
 
-    private Reached reach(Snapshot state) {
+    private Reached reach(StableConfiguration state) {
         if (reached.size() >= MAX_STATES) {
             throw new Refused(net.chart().place(), "the flat machine has more than " + MAX_STATES + " states", SMALLER);
         }
@@ -333,12 +333,12 @@ final class Explorer {
         return added;
     }
 
-    private List<Case> cases(Function<Step, @Nullable Outcome> run) {
-        Guards guards = new Guards();
+    private List<Case> cases(Function<RunToCompletion, @Nullable StepResult> run) {
+        GuardCases guards = new GuardCases();
         List<Case> cases = new ArrayList<>();
         do {
-            Step step = Step.of(net, guards);
-            Outcome outcome = run.apply(step);
+            RunToCompletion step = RunToCompletion.of(net, guards);
+            StepResult outcome = run.apply(step);
             cases.add(new Case(guards.held(), outcome, outcome == null && step.isDeferring()));
             if (cases.size() > MAX_CASES) {
                 throw new Refused(
@@ -351,7 +351,7 @@ final class Explorer {
     }
 
     /** Everything that can happen, with the active states that have transitions on it or defer it. */
-    private Map<Cause, List<Node>> causes(Snapshot state) {
+    private Map<Cause, List<Node>> causes(StableConfiguration state) {
         Map<Cause, List<Node>> causes = new LinkedHashMap<>();
         Set<Node> seen = new HashSet<>();
         for (int leaf : state.leaves()) {
@@ -390,7 +390,7 @@ final class Explorer {
         return !net.isScxml() && node.wantsCompletion() && !node.activities().isEmpty();
     }
 
-    private static boolean isDone(Snapshot state, Node node) {
+    private static boolean isDone(StableConfiguration state, Node node) {
         for (int done : state.done()) {
             if (done == node.index) {
                 return true;

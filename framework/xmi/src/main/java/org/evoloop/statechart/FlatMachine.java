@@ -101,7 +101,7 @@ final class FlatMachine {
                     activities.add(name(owned));
                 }
             }
-            Snapshot drawn = flat.reached().snapshot;
+            StableConfiguration drawn = flat.reached().snapshot;
             builder.drawn(flat.state(), flat.plain(), activities, paths(drawn), isEnd(drawn));
             if (usesDevice) {
                 use(drawn, flat.state().name(), builder);
@@ -132,7 +132,7 @@ final class FlatMachine {
         return builder.build();
     }
 
-    private void use(Snapshot drawn, String state, StateMachineBuilder builder) {
+    private void use(StableConfiguration drawn, String state, StateMachineBuilder builder) {
         try {
             ActiveUse use = ActiveUse.of(net, drawn.leaves());
             use.sends().forEach(event -> builder.sends(state, event));
@@ -146,7 +146,7 @@ final class FlatMachine {
         }
     }
 
-    private List<String> paths(Snapshot state) {
+    private List<String> paths(StableConfiguration state) {
         int[] leaves = state.leaves();
         if (leaves.length == 1) {
             return List.of(net.node(leaves[0]).path());
@@ -154,7 +154,7 @@ final class FlatMachine {
         return Arrays.stream(leaves).mapToObj(leaf -> net.node(leaf).path()).toList();
     }
 
-    private boolean isEnd(Snapshot state) {
+    private boolean isEnd(StableConfiguration state) {
         for (int leaf : state.leaves()) {
             if (!net.node(leaf).isFinal() && !net.node(leaf).is(Vertex.Kind.TERMINATE)) {
                 return false;
@@ -221,7 +221,7 @@ final class FlatMachine {
     }
 
     /** The time triggers and activities of the active states, outer ones first. */
-    private Set<Owned> goingOn(Snapshot state) {
+    private Set<Owned> goingOn(StableConfiguration state) {
         if (net.isCalm()) {
             return Set.of();
         }
@@ -237,7 +237,7 @@ final class FlatMachine {
         return all;
     }
 
-    private List<Node> active(Snapshot state) {
+    private List<Node> active(StableConfiguration state) {
         Set<Node> active = new LinkedHashSet<>();
         for (int leaf : state.leaves()) {
             if (net.node(leaf).is(Vertex.Kind.TERMINATE)) {

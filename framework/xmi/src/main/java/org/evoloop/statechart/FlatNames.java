@@ -20,8 +20,8 @@ import org.jspecify.annotations.Nullable;
  */
 final class FlatNames {
     private final Net net;
-    private final List<Snapshot> states;
-    /** Whether {@link Rules} have made sure that all names are different: those of the states of a single region. */
+    private final List<StableConfiguration> states;
+    /** Whether {@link ChartRules} have made sure that all names are different: those of the states of a single region. */
     private final boolean inOneRegion;
 
     private final Set<String> ambiguousLeaves;
@@ -31,7 +31,7 @@ final class FlatNames {
     private @Nullable Set<String> ambiguousStates;
 
     /** @param states all flat states, in order */
-    FlatNames(Net net, List<Snapshot> states) {
+    FlatNames(Net net, List<StableConfiguration> states) {
         this.net = net;
         this.states = states;
         this.inOneRegion = net.isOneRegion()
@@ -44,7 +44,7 @@ final class FlatNames {
 
     private Stream<Node> visited() {
         BitSet visited = new BitSet();
-        for (Snapshot state : states) {
+        for (StableConfiguration state : states) {
             for (int leaf : state.leaves()) {
                 visited.set(leaf);
             }
@@ -112,7 +112,7 @@ final class FlatNames {
         return new HashSet<>(names).size() == names.size();
     }
 
-    private void makeDistinct(List<String> names, Function<Snapshot, String> suffix) {
+    private void makeDistinct(List<String> names, Function<StableConfiguration, String> suffix) {
         Map<String, Integer> count = new HashMap<>();
         names.forEach(name -> count.merge(name, 1, Integer::sum));
         for (int i = 0; i < names.size(); i++) {
@@ -122,16 +122,16 @@ final class FlatNames {
         }
     }
 
-    private String leaves(Snapshot state) {
+    private String leaves(StableConfiguration state) {
         int[] vertices = state.leaves();
         return vertices.length == 1 ? leaf(net.node(vertices[0])) : "(" + String.join(", ", names(vertices)) + ")";
     }
 
-    private String done(Snapshot state) {
+    private String done(StableConfiguration state) {
         return state.done().length == 0 ? "" : " [done " + String.join(", ", names(state.done())) + "]";
     }
 
-    private String remembered(Snapshot state) {
+    private String remembered(StableConfiguration state) {
         List<String> names = new ArrayList<>();
         int[] memory = state.memory();
         for (int i = 0; i < memory.length; i += 2 + memory[i + 1]) {

@@ -81,7 +81,7 @@ public final class Flattening {
         List<Problem> problems = new ArrayList<>();
         Net net = NetBuilder.build(chart, problems);
         if (problems.isEmpty()) {
-            Rules.check(net, problems);
+            ChartRules.check(net, problems);
         }
         if (!problems.isEmpty()) {
             return failed(problems);
@@ -89,7 +89,7 @@ public final class Flattening {
         Explorer explorer = new Explorer(net);
         explorer.explore();
         problems.addAll(explorer.problems());
-        Outcome start = explorer.start();
+        StepResult start = explorer.start();
         if (!problems.isEmpty() || start == null) {
             return failed(problems);
         }

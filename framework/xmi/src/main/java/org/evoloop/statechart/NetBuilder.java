@@ -17,7 +17,7 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.jspecify.annotations.Nullable;
 
-/** Connects the vertices of a statechart. {@link Rules} later checks whether the connections are allowed. */
+/** Connects the vertices of a statechart. {@link ChartRules} later checks whether the connections are allowed. */
 final class NetBuilder {
     /** Deeper than anyone can read, and shallow enough for the recursive calls that enter and leave states. */
     private static final int MAX_DEPTH = 300;
@@ -85,7 +85,7 @@ final class NetBuilder {
         try {
             return new Event(trigger).timeTrigger().isPresent();
         } catch (ModelException malformed) {
-            // Rules reports what is wrong with it.
+            // ChartRules reports what is wrong with it.
             return true;
         }
     }

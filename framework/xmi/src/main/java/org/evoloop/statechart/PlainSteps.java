@@ -6,13 +6,13 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A shortcut for the most common transitions: without a guard, from one simple state to another in the same region,
- * with nothing else affected. A {@link Step} gives the same result.
+ * with nothing else affected. A {@link RunToCompletion} gives the same result.
  */
 final class PlainSteps {
     private PlainSteps() {}
 
     /** The active vertex, if it is the only one and has no enclosing state, and nothing else matters; else null. */
-    static @Nullable Node alone(Net net, Snapshot state) {
+    static @Nullable Node alone(Net net, StableConfiguration state) {
         if (!state.isOneState() || net.tops().size() > 1) {
             return null;
         }
@@ -32,7 +32,7 @@ final class PlainSteps {
      *
      * @param node the only active vertex with transitions on the event
      */
-    static @Nullable Link only(Node node, String trigger, Snapshot state) {
+    static @Nullable Link only(Node node, String trigger, StableConfiguration state) {
         List<Link> links = node.on(trigger);
         return links.size() == 1 && node.zones.isEmpty() && state.done().length == 0 && isPlain(links.get(0))
                 ? links.get(0)

@@ -7,12 +7,12 @@ final class Reached {
     /** In the order of discovery; other classes use it as an array index. */
     final int index;
 
-    final Snapshot snapshot;
+    final StableConfiguration snapshot;
 
     /** The moves for each event, in the order in which they are tried. */
     List<Move> moves = List.of();
 
-    Reached(int index, Snapshot snapshot) {
+    Reached(int index, StableConfiguration snapshot) {
         this.index = index;
         this.snapshot = snapshot;
     }

@@ -24,14 +24,14 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>A target list is drawn as a fork, and a history of a parallel state as one in each of its regions.
  */
-final class ScxmlStep implements Step {
+final class ScxmlStep implements RunToCompletion {
     private static final Comparator<Node> DOCUMENT_ORDER = Comparator.comparingInt(node -> node.index);
 
     /** More events than this wait only in a circle that raises more than it takes. */
     private static final int MAX_RAISED = 1_000;
 
     private final Net net;
-    private final Guards guards;
+    private final GuardCases guards;
     private final ActiveStates active;
     /** The events that the machine has raised itself. */
     private final Deque<String> raised = new ArrayDeque<>();
@@ -41,7 +41,7 @@ final class ScxmlStep implements Step {
     private final Set<Node> entered = new HashSet<>();
     private boolean ended;
 
-    ScxmlStep(Net net, Guards guards) {
+    ScxmlStep(Net net, GuardCases guards) {
         this.net = net;
         this.guards = guards;
         this.active = new ActiveStates(net);
@@ -55,7 +55,7 @@ final class ScxmlStep implements Step {
     private record Take(Link link, @Nullable Node domain, Set<Node> exited) {}
 
     @Override
-    public Outcome start() {
+    public StepResult start() {
         Zone top = net.tops().get(0);
         Link initial = initial(top);
         run(initial);
@@ -66,7 +66,7 @@ final class ScxmlStep implements Step {
     }
 
     @Override
-    public Outcome startIn(Node state) {
+    public StepResult startIn(Node state) {
         Entry entry = new Entry();
         entry.add(state);
         entry.addAround(state, null);
@@ -75,7 +75,7 @@ final class ScxmlStep implements Step {
     }
 
     @Override
-    public @Nullable Outcome react(Snapshot before, Cause cause) {
+    public @Nullable StepResult react(StableConfiguration before, Cause cause) {
         active.load(before);
         List<Take> takes = select(cause.name(), cause.owner());
         if (takes.isEmpty()) {
@@ -91,7 +91,7 @@ final class ScxmlStep implements Step {
         return false;
     }
 
-    private Outcome stable() {
+    private StepResult stable() {
         Set<Object> passed = new HashSet<>();
         while (!ended) {
             List<Take> takes = select("", null);
@@ -112,7 +112,7 @@ final class ScxmlStep implements Step {
         if (ended) {
             inReverseOrder(active.all()).forEach(node -> effects.addAll(node.exit()));
         }
-        return new Outcome(active.snapshot(), List.copyOf(effects), left, entered);
+        return new StepResult(active.snapshot(), List.copyOf(effects), left, entered);
     }
 
     private static List<Link> links(List<Take> takes) {

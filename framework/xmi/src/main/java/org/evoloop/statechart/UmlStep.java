@@ -19,15 +19,15 @@ import org.jspecify.annotations.Nullable;
  * when the event occurs, including those after choices. A path through pseudostates is not taken if none of its
  * branches holds.
  */
-final class UmlStep implements Step {
+final class UmlStep implements RunToCompletion {
     private final Net net;
-    private final Guards guards;
+    private final GuardCases guards;
     private Body body;
 
     private final Set<Node> asleep = new HashSet<>();
     private boolean deferring;
 
-    UmlStep(Net net, Guards guards) {
+    UmlStep(Net net, GuardCases guards) {
         this.net = net;
         this.guards = guards;
         this.body = new Body(net, this::path);
@@ -45,21 +45,21 @@ final class UmlStep implements Step {
     }
 
     @Override
-    public Outcome start() {
+    public StepResult start() {
         body.enterTop();
         complete();
         return body.outcome();
     }
 
     @Override
-    public Outcome startIn(Node state) {
+    public StepResult startIn(Node state) {
         body.enterFrom(state);
         complete();
         return body.outcome();
     }
 
     @Override
-    public @Nullable Outcome react(Snapshot before, Cause cause) {
+    public @Nullable StepResult react(StableConfiguration before, Cause cause) {
         body.active().load(before);
         if (cause.kind() == Cause.Kind.COMPLETION && cause.owner() != null) {
             body.finish(cause.owner());
@@ -75,14 +75,14 @@ final class UmlStep implements Step {
      * Takes as many of these transitions as can be taken together. Where UML leaves open which, every choice must have
      * the same outcome.
      */
-    private Outcome decided(Snapshot before, List<Take> takes) {
+    private StepResult decided(StableConfiguration before, List<Take> takes) {
         Rivals rivals = new Rivals(takes.stream()
                 .map(take -> new Rivals.Rival(
                         body.exitedBy(take.path()), take.first().isInternal() ? take.state() : null, take.isGuarded()))
                 .toList());
-        Outcome decided = null;
+        StepResult decided = null;
         for (List<Integer> choice : rivals.choices()) {
-            Outcome outcome = take(before, choice.stream().map(takes::get).toList());
+            StepResult outcome = take(before, choice.stream().map(takes::get).toList());
             if (decided != null && !decided.isLike(outcome)) {
                 throw undecided(takes, rivals);
             }
@@ -102,7 +102,7 @@ final class UmlStep implements Step {
                 "give one of them another event, or guard both");
     }
 
-    private Outcome take(Snapshot before, List<Take> takes) {
+    private StepResult take(StableConfiguration before, List<Take> takes) {
         body = new Body(net, this::path);
         body.active().load(before);
         takes.forEach(take -> body.follow(take.path()));

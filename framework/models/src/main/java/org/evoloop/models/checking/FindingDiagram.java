@@ -9,7 +9,7 @@ import org.evoloop.check.Finding;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Turn;
-import org.evoloop.models.chart.FlatChart;
+import org.evoloop.models.chart.FlatMachineChart;
 import org.evoloop.models.diagram.ChartDiagram;
 import org.evoloop.models.diagram.Diagram;
 import org.evoloop.models.diagram.Diagram.Tone;
@@ -44,17 +44,17 @@ public final class FindingDiagram {
         Set<Arc> arcs = new HashSet<>();
         Set<String> vertices = new HashSet<>();
         for (Turn turn : finding.example()) {
-            taken(turn, side).forEach(transition -> arcs.add(FlatChart.arc(transition)));
+            taken(turn, side).forEach(transition -> arcs.add(FlatMachineChart.arc(transition)));
         }
         if (finding.element().side() == side) {
             if (finding.element() instanceof Element.OfState of) {
-                vertices.add(FlatChart.key(of.state()));
+                vertices.add(FlatMachineChart.key(of.state()));
             } else if (finding.element() instanceof Element.OfTransition of) {
-                arcs.add(FlatChart.arc(of.transition()));
+                arcs.add(FlatMachineChart.arc(of.transition()));
             }
         }
         return ChartDiagram.of(
-                FlatChart.of(
+                FlatMachineChart.of(
                         machine.withName(machine.name() + ": " + finding.rule().id())),
                 vertex -> vertices.contains(vertex.key()) ? Tone.MARKED : Tone.PLAIN,
                 arc -> arcs.contains(arc) ? Tone.MARKED : Tone.PLAIN);

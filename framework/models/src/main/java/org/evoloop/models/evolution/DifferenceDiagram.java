@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.models.chart.FlatChart;
+import org.evoloop.models.chart.FlatMachineChart;
 import org.evoloop.models.diagram.ChartDiagram;
 import org.evoloop.models.diagram.Diagram;
 import org.evoloop.models.diagram.Diagram.Tone;
@@ -30,15 +30,15 @@ public final class DifferenceDiagram {
         });
         add(difference.transitions().removed(), Tone.REMOVED, all, arcTones);
         Map<String, Tone> vertexTones = new HashMap<>();
-        difference.states().added().forEach(state -> vertexTones.put(FlatChart.key(state), Tone.ADDED));
-        difference.states().removed().forEach(state -> vertexTones.put(FlatChart.key(state), Tone.REMOVED));
+        difference.states().added().forEach(state -> vertexTones.put(FlatMachineChart.key(state), Tone.ADDED));
+        difference.states().removed().forEach(state -> vertexTones.put(FlatMachineChart.key(state), Tone.REMOVED));
         difference.uses().stream()
                 .filter(changed -> !pair.isNew(changed.state()))
-                .forEach(changed -> vertexTones.put(FlatChart.key(changed.state()), Tone.REROUTED));
+                .forEach(changed -> vertexTones.put(FlatMachineChart.key(changed.state()), Tone.REROUTED));
         List<State> states = Stream.concat(pair.evolved().states().stream(), difference.states().removed().stream())
                 .toList();
         return ChartDiagram.of(
-                FlatChart.of(
+                FlatMachineChart.of(
                         pair.original().name() + " \u2192 " + pair.evolved().name(),
                         pair.evolved().initial(),
                         states,
@@ -55,7 +55,7 @@ public final class DifferenceDiagram {
             Transition drawn = new Transition(
                     transition.source(), transition.event(), transition.target(), transition.effects(), false);
             all.add(drawn);
-            tones.put(FlatChart.arc(drawn), tone);
+            tones.put(FlatMachineChart.arc(drawn), tone);
         }
     }
 }

@@ -7,7 +7,7 @@ import java.util.stream.Collectors;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.migration.Fate;
 import org.evoloop.migration.Migration;
-import org.evoloop.models.chart.FlatChart;
+import org.evoloop.models.chart.FlatMachineChart;
 import org.evoloop.models.diagram.ChartDiagram;
 import org.evoloop.models.diagram.Diagram;
 import org.evoloop.models.diagram.Diagram.Tone;
@@ -21,10 +21,10 @@ public final class MigrationDiagram {
 
     public static String write(ModelPair before, ModelPair after, Migration migration) {
         String title = before.evolved().name() + " \u2192 " + after.evolved().name();
-        Diagram running = ChartDiagram.of(FlatChart.of(before.evolved()));
+        Diagram running = ChartDiagram.of(FlatMachineChart.of(before.evolved()));
         List<Diagram.Node> nodes = running.nodes().stream()
                 .map(node -> before.evolved().states().stream()
-                        .filter(state -> FlatChart.key(state).equals(node.key()))
+                        .filter(state -> FlatMachineChart.key(state).equals(node.key()))
                         .findFirst()
                         .map(state -> annotated(node, state, migration, after))
                         .orElse(node))

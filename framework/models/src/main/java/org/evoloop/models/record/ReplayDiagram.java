@@ -11,7 +11,7 @@ import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.journal.DryRun;
 import org.evoloop.journal.DryRun.Broken;
-import org.evoloop.models.chart.FlatChart;
+import org.evoloop.models.chart.FlatMachineChart;
 import org.evoloop.models.diagram.ChartDiagram;
 import org.evoloop.models.diagram.Diagram;
 import org.evoloop.models.diagram.Diagram.Tone;
@@ -43,10 +43,10 @@ public final class ReplayDiagram {
      */
     public static String write(ModelPair pair, DryRun.Result result, PropertyFile file, ZoneId zone) {
         String title = pair.evolved().name();
-        Diagram machine = ChartDiagram.of(FlatChart.of(pair.evolved()));
+        Diagram machine = ChartDiagram.of(FlatMachineChart.of(pair.evolved()));
         List<Diagram.Node> nodes = machine.nodes().stream()
                 .map(node -> pair.evolved().states().stream()
-                        .filter(state -> FlatChart.key(state).equals(node.key()))
+                        .filter(state -> FlatMachineChart.key(state).equals(node.key()))
                         .findFirst()
                         .map(state -> annotated(node, state, result))
                         .orElse(node))

@@ -7,7 +7,7 @@ import static org.quicktheories.generators.SourceDSL.longs;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
-import org.evoloop.models.chart.FlatChart;
+import org.evoloop.models.chart.FlatMachineChart;
 import org.evoloop.models.diagram.Diagram.Shape;
 import org.evoloop.models.diagram.Layout.Box;
 import org.evoloop.models.diagram.Layout.Wire;
@@ -43,7 +43,7 @@ class LayoutTest {
             String target = random.nextInt(4) == 0 ? source : "State" + random.nextInt(states);
             builder.transition(source, EVENTS.get(i % EVENTS.size()) + i, target);
         }
-        return ChartDiagram.of(FlatChart.of(builder.build()));
+        return ChartDiagram.of(FlatMachineChart.of(builder.build()));
     }
 
     private static List<Area> areas(Layout layout) {

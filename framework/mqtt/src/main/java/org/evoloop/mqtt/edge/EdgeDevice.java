@@ -55,7 +55,7 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
     private final Consumer<String> linkListener;
     private final BrokerConnection gateway;
     private final Outbox outbox;
-    private final Carried carried;
+    private final LastCommands carried;
     private final Inbox received;
     /** The highest number that the gateway has confirmed. */
     private final AtomicLong confirmed = new AtomicLong();
@@ -88,7 +88,7 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
         this.linkListener = linkListener;
         // If the directory was lost, the numbers must be higher than those that the fleet has seen.
         this.outbox = new Outbox(directory, wall.millis());
-        this.carried = new Carried(directory);
+        this.carried = new LastCommands(directory);
         this.gateway = new BrokerConnection(broker, "edge-" + id);
         this.received = new Inbox(topic("command"));
         gateway.subscribe(topic("command"), received::put);

@@ -124,12 +124,12 @@ class KeptTest {
     void noCommandIsCarriedOutTwiceAfterACrash() {
         Path kept = directory.resolve("kept");
         assertThat(kept.toFile().mkdirs()).isTrue();
-        try (Carried carried = new Carried(kept)) {
+        try (LastCommands carried = new LastCommands(kept)) {
             assertThat(carried.take("a", 1)).isTrue();
             assertThat(carried.take("b", 7)).isTrue();
             assertThat(carried.take("a", 1)).isFalse();
         }
-        try (Carried carried = new Carried(kept)) {
+        try (LastCommands carried = new LastCommands(kept)) {
             assertThat(carried.take("b", 6)).isFalse();
             assertThat(carried.take("b", 7)).isFalse();
             assertThat(carried.take("a", 2)).isTrue();

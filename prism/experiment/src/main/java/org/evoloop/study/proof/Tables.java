@@ -200,9 +200,9 @@ final class Tables {
             return 0;
         }
         boolean timer = maps.carried().stream()
-                .anyMatch(each -> each.part() == Carried.Part.TIMER && each.how() == Carried.How.KEPT);
+                .anyMatch(each -> each.part() == Carried.What.TIMER && each.how() == Carried.How.KEPT);
         boolean function = maps.carried().stream()
-                .allMatch(each -> each.part() == Carried.Part.TIMER || each.how() == Carried.How.KEPT);
+                .allMatch(each -> each.part() == Carried.What.TIMER || each.how() == Carried.How.KEPT);
         return 1
                 | evolution.number(maps.at().evolved(), false) << 1
                 | (maps.steps().isEmpty() ? 0 : 1 << 5)

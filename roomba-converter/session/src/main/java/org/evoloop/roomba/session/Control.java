@@ -4,7 +4,7 @@ import org.evoloop.roomba.oi.ActuatorCommand;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
-import org.evoloop.roomba.session.connection.Connection;
+import org.evoloop.roomba.session.connection.RobotConnection;
 import org.evoloop.roomba.session.inference.ActivityEstimate;
 import org.evoloop.roomba.session.inference.CommandEffect;
 import org.evoloop.roomba.session.inference.FrameSpan;
@@ -49,7 +49,7 @@ final class Control {
         AS_ESTIMATED
     }
 
-    private final Connection connection;
+    private final RobotConnection connection;
     private final ActivityEstimate estimate;
     private final FrameSpan withControl = new FrameSpan();
     private final FrameSpan withoutControl = new FrameSpan();
@@ -71,7 +71,7 @@ final class Control {
     private boolean underControl;
     private int tries;
 
-    Control(Connection connection, ActivityEstimate estimate) {
+    Control(RobotConnection connection, ActivityEstimate estimate) {
         this.connection = connection;
         this.estimate = estimate;
     }

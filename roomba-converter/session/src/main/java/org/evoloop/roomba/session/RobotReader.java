@@ -11,10 +11,10 @@ import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.oi.StreamFramer;
-import org.evoloop.roomba.session.connection.Connection;
 import org.evoloop.roomba.session.connection.ConnectionOptions;
 import org.evoloop.roomba.session.connection.ConnectionOwner;
 import org.evoloop.roomba.session.connection.FirstBytes;
+import org.evoloop.roomba.session.connection.RobotConnection;
 import org.evoloop.roomba.session.inference.ActivityEstimate;
 import org.evoloop.roomba.session.inference.ActivityEstimate.EstimatedActivity;
 import org.evoloop.roomba.session.inference.ButtonPresses;
@@ -44,7 +44,7 @@ final class RobotReader implements ConnectionOwner {
     private static final int SIGNIFICANT_FRAMES = 20;
 
     private final Clock clock;
-    private final Connection connection;
+    private final RobotConnection connection;
     private final List<SessionListener> listeners = new CopyOnWriteArrayList<>();
     private final FirstBytes firstBytes = new FirstBytes();
     private final StreamFramer framer = new StreamFramer(RoombaSession.STREAM);
@@ -70,12 +70,12 @@ final class RobotReader implements ConnectionOwner {
         this.filter = new FrameFilter(modeOffset);
         ConnectionOptions wanted =
                 new ConnectionOptions(RoombaSession.STREAM, options.silenceLimit(), options.mayWait());
-        this.connection = new Connection(cable, clock, wanted, this);
+        this.connection = new RobotConnection(cable, clock, wanted, this);
         this.control = new Control(connection, estimate);
         this.undocking = new Undocking(connection::trySend, estimate);
     }
 
-    Connection connection() {
+    RobotConnection connection() {
         return connection;
     }
 
@@ -161,7 +161,7 @@ final class RobotReader implements ConnectionOwner {
         if (!now.isUnderControl()) {
             pressed.forEach(this::robotActsOn);
         }
-        SpotWatch.Ending ending = spotWatch.update(values, nowNanos);
+        SpotWatch.SpotEnd ending = spotWatch.update(values, nowNanos);
         if (ending != null) {
             estimate.seenAtRest();
             listeners.forEach(listener -> listener.spotEnded(ending));

@@ -15,7 +15,7 @@ import org.evoloop.roomba.oi.ActuatorCommand;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.PacketId;
-import org.evoloop.roomba.session.connection.Connection;
+import org.evoloop.roomba.session.connection.RobotConnection;
 import org.evoloop.roomba.session.connection.RobotException;
 import org.evoloop.roomba.session.inference.ActivityEstimate;
 import org.evoloop.roomba.session.inference.Circumstances;
@@ -83,7 +83,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     private final Clock clock;
     private final SessionOptions options;
     private final RobotReader reader;
-    private final Connection connection;
+    private final RobotConnection connection;
     private final Control control;
     private final Object sending = new Object();
     private volatile boolean waking;
@@ -249,7 +249,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     }
 
     private void pauseAfterModeChange() {
-        long leftNanos = Connection.MODE_CHANGE.toNanos() - (clock.nanoTime() - modeChangedNanos);
+        long leftNanos = RobotConnection.MODE_CHANGE.toNanos() - (clock.nanoTime() - modeChangedNanos);
         if (modeChanged && leftNanos > 0) {
             try {
                 clock.sleep(Duration.ofNanos(leftNanos));

@@ -30,7 +30,7 @@ public interface SessionListener {
     default void obeyed(Command command) {}
 
     /** A spot cleaning has ended. */
-    default void spotEnded(SpotWatch.Ending how) {}
+    default void spotEnded(SpotWatch.SpotEnd how) {}
 
     /** The robot was stopped from outside, for the given reason: whatever drove it must stop. */
     default void stopped(String why) {}

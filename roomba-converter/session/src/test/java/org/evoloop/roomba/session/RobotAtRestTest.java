@@ -20,7 +20,7 @@ import org.evoloop.roomba.oi.InputCommand;
 import org.evoloop.roomba.oi.OiMode;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
-import org.evoloop.roomba.session.connection.Connection;
+import org.evoloop.roomba.session.connection.RobotConnection;
 import org.evoloop.roomba.session.inference.ActivityEstimate.EstimatedActivity;
 import org.evoloop.roomba.session.inference.Circumstances;
 import org.evoloop.time.ManualClock;
@@ -122,7 +122,7 @@ class RobotAtRestTest {
     void itIsWokenByItsWakeLineAndTakenUnderControl() throws InterruptedException {
         fallAsleep();
         session.wake();
-        clock.advance(Connection.WAKE_PULSE.plus(Duration.ofMillis(100)));
+        clock.advance(RobotConnection.WAKE_PULSE.plus(Duration.ofMillis(100)));
         assertThat(wakeLine).containsExactly(false, true, false);
         assertThat(cables.heard()).isEqualTo(bytes(new Command.Start(), new InputCommand.Stream(RoombaSession.STREAM)));
 
@@ -157,7 +157,7 @@ class RobotAtRestTest {
     void aWakingThatWasNotReceivedIsFound() {
         fallAsleep();
         cables.heard();
-        clock.advance(Connection.ASK_SLEEPER.plus(Duration.ofMillis(300)));
+        clock.advance(RobotConnection.ASK_SLEEPER.plus(Duration.ofMillis(300)));
         assertThat(cables.heard()).isEqualTo(bytes(new Command.Start(), new InputCommand.Stream(RoombaSession.STREAM)));
         frames(20, PASSIVE);
         assertThat(session.isAsleep()).isFalse();

@@ -14,7 +14,7 @@ import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.OiMode;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
-import org.evoloop.roomba.session.connection.Connection;
+import org.evoloop.roomba.session.connection.RobotConnection;
 import org.evoloop.roomba.session.connection.RobotException;
 import org.evoloop.roomba.session.inference.ActivityEstimate.EstimatedActivity;
 import org.evoloop.roomba.session.inference.SpotWatch;
@@ -341,7 +341,7 @@ class RoombaSessionTest {
         session.leaveAlone();
         frames(1, PASSIVE.with(Packet.BUTTONS, 1));
         cables.hangUp();
-        clock.advance(Connection.LOOK);
+        clock.advance(RobotConnection.LOOK);
         cables.heard();
         frames(4, PASSIVE);
         assertThat(notices).isEmpty();

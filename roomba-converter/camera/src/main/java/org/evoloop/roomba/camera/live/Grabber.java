@@ -93,29 +93,29 @@ final class Grabber implements Runnable {
         while (!stopped) {
             Frame frame = frames.room();
             long askedNanos = clock.nanoTime();
-            FrameReader.Outcome outcome = FrameReader.Outcome.NOTHING;
+            FrameReader.Received outcome = FrameReader.Received.NOTHING;
             try {
                 outcome = reader.read(frame);
             } finally {
-                if (outcome != FrameReader.Outcome.FRAME) {
+                if (outcome != FrameReader.Received.FRAME) {
                     frames.giveBack(frame);
                 }
             }
             long nowNanos = clock.nanoTime();
-            if (outcome == FrameReader.Outcome.NOTHING) {
+            if (outcome == FrameReader.Received.NOTHING) {
                 failedReads++;
             } else {
                 // If reading succeeds again, the failed reads were frames that could not be decoded.
                 damaged.addAndGet(failedReads);
                 failedReads = 0;
             }
-            if (outcome == FrameReader.Outcome.FRAME) {
+            if (outcome == FrameReader.Received.FRAME) {
                 frames.publish(frame, nowNanos);
                 any = true;
                 lastGoodNanos = nowNanos;
                 continue;
             }
-            if (outcome == FrameReader.Outcome.DAMAGED) {
+            if (outcome == FrameReader.Received.DAMAGED) {
                 damaged.incrementAndGet();
                 health.damaged();
             }

@@ -83,12 +83,12 @@ final class CaptureReader implements FrameReader {
     }
 
     @Override
-    public Outcome read(Frame into) {
+    public Received read(Frame into) {
         Mat mat = MatFrame.of(into);
         if (!capture.read(mat) || mat.empty()) {
-            return Outcome.NOTHING;
+            return Received.NOTHING;
         }
-        return damage.isIn(mat) ? Outcome.DAMAGED : Outcome.FRAME;
+        return damage.isIn(mat) ? Received.DAMAGED : Received.FRAME;
     }
 
     @Override

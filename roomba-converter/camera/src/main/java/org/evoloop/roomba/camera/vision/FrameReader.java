@@ -11,7 +11,7 @@ package org.evoloop.roomba.camera.vision;
 public interface FrameReader extends AutoCloseable {
 
     /** The result of waiting for a frame. */
-    enum Outcome {
+    enum Received {
         /** The frame is filled. */
         FRAME,
         /** A frame arrived but cannot be used. */
@@ -21,7 +21,7 @@ public interface FrameReader extends AutoCloseable {
     }
 
     /** Waits for the next frame, at most some seconds. */
-    Outcome read(Frame into);
+    Received read(Frame into);
 
     @Override
     void close();

@@ -20,7 +20,7 @@ import org.evoloop.roomba.camera.Scene;
 import org.evoloop.roomba.camera.Sighting;
 import org.evoloop.roomba.camera.vision.Frame;
 import org.evoloop.roomba.camera.vision.FrameReader;
-import org.evoloop.roomba.camera.vision.FrameReader.Outcome;
+import org.evoloop.roomba.camera.vision.FrameReader.Received;
 import org.evoloop.roomba.camera.vision.FrameSize;
 import org.evoloop.roomba.camera.vision.MarkerFinder;
 import org.evoloop.roomba.camera.vision.OpenCv;
@@ -71,7 +71,7 @@ class CameraPreviewTest {
         Path file = folder.resolve("0.png");
         ImageIO.write(picture, "png", file.toFile());
         try (FrameReader reader = OpenCv.vision().open(CameraSource.parse(file.toString()), FrameSize.DEFAULT)) {
-            assertThat(reader.read(frame)).isEqualTo(Outcome.FRAME);
+            assertThat(reader.read(frame)).isEqualTo(Received.FRAME);
         }
         Files.delete(file);
     }
@@ -96,7 +96,7 @@ class CameraPreviewTest {
         try (FrameReader reader = OpenCv.vision().open(CameraSource.parse(file.toString()), FrameSize.DEFAULT);
                 Frame shown = OpenCv.vision().newFrame();
                 MarkerFinder finder = OpenCv.vision().finder(MarkerSpec.DEFAULT, CameraModel.DEFAULT)) {
-            assertThat(reader.read(shown)).isEqualTo(Outcome.FRAME);
+            assertThat(reader.read(shown)).isEqualTo(Received.FRAME);
             Sighting seen = finder.detect(shown).orElseThrow().sighting();
             assertThat(seen.distanceMm()).isBetween(AHEAD.distanceMm() - 30, AHEAD.distanceMm() + 30);
             assertThat(seen.bearingRad()).isBetween(AHEAD.bearingRad() - 0.01, AHEAD.bearingRad() + 0.01);

@@ -13,7 +13,7 @@ import org.evoloop.roomba.camera.CameraHealth.Condition;
 import org.evoloop.roomba.camera.CameraSource;
 import org.evoloop.roomba.camera.vision.Frame;
 import org.evoloop.roomba.camera.vision.FrameReader;
-import org.evoloop.roomba.camera.vision.FrameReader.Outcome;
+import org.evoloop.roomba.camera.vision.FrameReader.Received;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -27,7 +27,7 @@ class GrabberTest {
     private final NewestFrame frames = new NewestFrame(CountedFrame::new, false);
     private final AtomicInteger opened = new AtomicInteger();
     private final AtomicInteger closed = new AtomicInteger();
-    private final LinkedBlockingQueue<Supplier<Outcome>> script = new LinkedBlockingQueue<>();
+    private final LinkedBlockingQueue<Supplier<Received>> script = new LinkedBlockingQueue<>();
     private Grabber grabber;
     private Thread thread;
 
@@ -46,12 +46,12 @@ class GrabberTest {
         }
 
         @Override
-        public Outcome read(Frame into) {
+        public Received read(Frame into) {
             try {
                 return script.take().get();
             } catch (InterruptedException stop) {
                 Thread.currentThread().interrupt();
-                return Outcome.NOTHING;
+                return Received.NOTHING;
             }
         }
 
@@ -67,8 +67,8 @@ class GrabberTest {
         thread.start();
     }
 
-    private void say(Outcome... outcomes) {
-        for (Outcome outcome : outcomes) {
+    private void say(Received... outcomes) {
+        for (Received outcome : outcomes) {
             script.add(() -> outcome);
         }
     }
@@ -101,16 +101,16 @@ class GrabberTest {
     @Test
     void opensAgainAfterFiveFailedReads() throws InterruptedException {
         start(Reader::new);
-        say(Outcome.FRAME);
+        say(Received.FRAME);
         frames.giveBack(frames.take().frame());
-        say(Outcome.NOTHING, Outcome.NOTHING, Outcome.NOTHING, Outcome.NOTHING, Outcome.NOTHING);
+        say(Received.NOTHING, Received.NOTHING, Received.NOTHING, Received.NOTHING, Received.NOTHING);
 
         awaitPause();
         assertThat(closed).hasValue(1);
         assertThat(health.at(0).state()).isEqualTo(Condition.GONE);
         assertThat(grabber.damagedFrames()).isZero();
         clock.advance(Duration.ofMillis(250));
-        say(Outcome.FRAME);
+        say(Received.FRAME);
         frames.giveBack(frames.take().frame());
         assertThat(opened).hasValue(2);
     }
@@ -118,7 +118,7 @@ class GrabberTest {
     @Test
     void takesAFailedReadThatFramesFollowForADamagedFrame() throws InterruptedException {
         start(Reader::new);
-        say(Outcome.NOTHING, Outcome.NOTHING, Outcome.DAMAGED, Outcome.FRAME);
+        say(Received.NOTHING, Received.NOTHING, Received.DAMAGED, Received.FRAME);
         frames.giveBack(frames.take().frame());
         assertThat(grabber.damagedFrames()).isEqualTo(3);
         assertThat(opened).hasValue(1);
@@ -129,7 +129,7 @@ class GrabberTest {
         start(Reader::new);
         script.add(() -> {
             clock.advance(Duration.ofSeconds(4));
-            return Outcome.NOTHING;
+            return Received.NOTHING;
         });
         awaitPause();
         assertThat(closed).hasValue(1);
@@ -141,7 +141,7 @@ class GrabberTest {
         for (int i = 0; i < 6; i++) {
             script.add(() -> {
                 clock.advance(Duration.ofSeconds(1));
-                return Outcome.DAMAGED;
+                return Received.DAMAGED;
             });
         }
         awaitPause();

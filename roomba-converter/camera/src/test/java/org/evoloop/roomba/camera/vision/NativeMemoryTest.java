@@ -14,7 +14,7 @@ import org.evoloop.roomba.camera.CameraSource;
 import org.evoloop.roomba.camera.MarkerSpec;
 import org.evoloop.roomba.camera.Scene;
 import org.evoloop.roomba.camera.Sighting;
-import org.evoloop.roomba.camera.vision.FrameReader.Outcome;
+import org.evoloop.roomba.camera.vision.FrameReader.Received;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -69,7 +69,7 @@ class NativeMemoryTest {
             try (FrameReader reader = vision.open(source, FrameSize.DEFAULT);
                     FrameRecorder recorder = vision.recorder(folder.resolve("seen.avi"), 15, 50_000_000)) {
                 for (int i = 0; i < PICTURES; i++) {
-                    assertThat(reader.read(frame)).isEqualTo(Outcome.FRAME);
+                    assertThat(reader.read(frame)).isEqualTo(Received.FRAME);
                     Optional<Detection> seen = finder.detect(frame);
                     assertThat(seen).isPresent();
                     recorder.write(frame, i * 66_666_667L, seen, List.of("frame " + i));

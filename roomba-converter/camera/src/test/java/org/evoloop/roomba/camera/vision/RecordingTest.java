@@ -10,7 +10,7 @@ import java.util.Optional;
 import org.evoloop.roomba.camera.CameraSource;
 import org.evoloop.roomba.camera.Scene;
 import org.evoloop.roomba.camera.Sighting;
-import org.evoloop.roomba.camera.vision.FrameReader.Outcome;
+import org.evoloop.roomba.camera.vision.FrameReader.Received;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -31,7 +31,7 @@ class RecordingTest {
         try (FrameReader reader = vision.open(CameraSource.parse(picture.toString()), FrameSize.DEFAULT);
                 Frame frame = vision.newFrame();
                 FrameRecorder recorder = vision.recorder(file, FRAMES_PER_SECOND, mostBytes)) {
-            assertThat(reader.read(frame)).isEqualTo(Outcome.FRAME);
+            assertThat(reader.read(frame)).isEqualTo(Received.FRAME);
             for (int count = 0; count < frames; count++) {
                 recorder.write(frame, count * NANOS_BETWEEN, Optional.empty(), List.of("frame " + count));
             }
@@ -43,7 +43,7 @@ class RecordingTest {
         int frames = 0;
         try (FrameReader reader = vision.open(CameraSource.parse(file.toString()), FrameSize.DEFAULT);
                 Frame frame = vision.newFrame()) {
-            while (reader.read(frame) == Outcome.FRAME) {
+            while (reader.read(frame) == Received.FRAME) {
                 frames++;
             }
         }

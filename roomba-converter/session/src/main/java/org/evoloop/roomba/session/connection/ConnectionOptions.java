@@ -5,7 +5,7 @@ import java.util.List;
 import org.evoloop.roomba.oi.PacketId;
 
 /**
- * The options of a {@link Connection}.
+ * The options of a {@link RobotConnection}.
  *
  * @param stream the packets that the robot is to send
  * @param silenceLimit the time without a frame after which the robot counts as unreachable, in the clock's time; time in

@@ -3,13 +3,13 @@ package org.evoloop.roomba.session.connection;
 import org.evoloop.link.Link;
 
 /**
- * Interprets the bytes of the robot at the other end of a {@link Connection}.
+ * Interprets the bytes of the robot at the other end of a {@link RobotConnection}.
  *
  * @since 0.1
  */
 public interface ConnectionOwner {
     /**
-     * Reads {@code link} from the first byte on, and calls {@link Connection#answered} for each frame. Returns when the
+     * Reads {@code link} from the first byte on, and calls {@link RobotConnection#answered} for each frame. Returns when the
      * link has ended or, if it does not wait, when no more bytes are available. Called on the reading thread.
      */
     void read(Link link);

@@ -20,7 +20,7 @@ import org.slf4j.LoggerFactory;
  * <p>Threading: all methods may be called from any thread.
  */
 final class ConnectionThread {
-    private static final Logger LOG = LoggerFactory.getLogger(Connection.class);
+    private static final Logger LOG = LoggerFactory.getLogger(RobotConnection.class);
     private static final String NAME = "roomba-connection";
     private static final long END_LIMIT_MILLIS = 2_000;
 

@@ -18,7 +18,7 @@ import org.slf4j.LoggerFactory;
  * <p>Threading: any thread may send and close; only one thread at a time replaces and compares links.
  */
 final class Plug {
-    private static final Logger LOG = LoggerFactory.getLogger(Connection.class);
+    private static final Logger LOG = LoggerFactory.getLogger(RobotConnection.class);
 
     /** A song that claims to have 255 notes. */
     private static final int LONGEST_COMMAND = 3 + 2 * 255;

@@ -33,7 +33,7 @@ public final class SpotWatch {
     static final int SURE_FRAMES = 3;
 
     /** How a spot cleaning ended. */
-    public enum Ending {
+    public enum SpotEnd {
         /** The robot finished, or was paused by its user. */
         QUIET,
         /** The robot never started. */
@@ -73,7 +73,7 @@ public final class SpotWatch {
      *
      * @param nowNanos the time on a monotonic clock
      */
-    public @Nullable Ending update(SensorValues values, long nowNanos) {
+    public @Nullable SpotEnd update(SensorValues values, long nowNanos) {
         motion.update(values);
         if (phase == Phase.NONE) {
             return null;
@@ -82,24 +82,24 @@ public final class SpotWatch {
         if (phase == Phase.STARTING && motion.activeFrames() >= SURE_FRAMES && isPassive(values)) {
             phase = Phase.RUNNING;
         }
-        Ending ending = ending(values);
+        SpotEnd ending = ending(values);
         if (ending != null) {
             phase = Phase.NONE;
         }
         return ending;
     }
 
-    private @Nullable Ending ending(SensorValues values) {
+    private @Nullable SpotEnd ending(SensorValues values) {
         if (phase == Phase.STARTING) {
-            return sinceStart.hasLasted(START_FRAMES) ? Ending.NOT_STARTED : null;
+            return sinceStart.hasLasted(START_FRAMES) ? SpotEnd.NOT_STARTED : null;
         }
         if (!isPassive(values)) {
-            return Ending.OVERRIDDEN;
+            return SpotEnd.OVERRIDDEN;
         }
         if (motion.restFrames() >= QUIET_FRAMES) {
-            return Ending.QUIET;
+            return SpotEnd.QUIET;
         }
-        return sinceStart.hasLasted(LONGEST_FRAMES) ? Ending.TOO_LONG : null;
+        return sinceStart.hasLasted(LONGEST_FRAMES) ? SpotEnd.TOO_LONG : null;
     }
 
     private static boolean isPassive(SensorValues values) {

@@ -9,7 +9,7 @@ import org.evoloop.roomba.oi.OiMode;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.session.Frames;
-import org.evoloop.roomba.session.inference.SpotWatch.Ending;
+import org.evoloop.roomba.session.inference.SpotWatch.SpotEnd;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
@@ -19,13 +19,13 @@ class SpotWatchTest {
     private final SpotWatch watch = new SpotWatch();
     private long nowNanos;
 
-    private @Nullable Ending update(SensorValues frame) {
+    private @Nullable SpotEnd update(SensorValues frame) {
         nowNanos += Frames.APART_NANOS;
         return watch.update(frame, nowNanos);
     }
 
     /** Feeds the same frame this many times; only the last one may bring the ending. */
-    private @Nullable Ending feed(SensorValues frame, int times) {
+    private @Nullable SpotEnd feed(SensorValues frame, int times) {
         for (int i = 1; i < times; i++) {
             assertThat(update(frame)).as("frame %d of %d", i, times).isNull();
         }
@@ -43,7 +43,7 @@ class SpotWatchTest {
         watch.started();
         assertThat(feed(REST, 30)).isNull();
         assertThat(feed(cleaning(), 2_000)).isNull();
-        assertThat(feed(REST, SpotWatch.QUIET_FRAMES)).isEqualTo(Ending.QUIET);
+        assertThat(feed(REST, SpotWatch.QUIET_FRAMES)).isEqualTo(SpotEnd.QUIET);
         assertThat(feed(REST, 500)).as("only once").isNull();
     }
 
@@ -65,19 +65,19 @@ class SpotWatchTest {
         }) {
             watch.started();
             assertThat(feed(alive, 10)).isNull();
-            assertThat(feed(REST, SpotWatch.QUIET_FRAMES)).as("%s", alive).isEqualTo(Ending.QUIET);
+            assertThat(feed(REST, SpotWatch.QUIET_FRAMES)).as("%s", alive).isEqualTo(SpotEnd.QUIET);
         }
         watch.started();
         for (int counts = 0; counts < 300; counts++) {
             assertThat(update(encoders(counts, -counts))).isNull();
         }
-        assertThat(feed(encoders(299, -299), SpotWatch.QUIET_FRAMES)).isEqualTo(Ending.QUIET);
+        assertThat(feed(encoders(299, -299), SpotWatch.QUIET_FRAMES)).isEqualTo(SpotEnd.QUIET);
     }
 
     @Test
     void aRobotThatNeverBeginsIsReported() {
         watch.started();
-        assertThat(feed(REST, SpotWatch.START_FRAMES)).isEqualTo(Ending.NOT_STARTED);
+        assertThat(feed(REST, SpotWatch.START_FRAMES)).isEqualTo(SpotEnd.NOT_STARTED);
         assertThat(feed(REST, 500)).isNull();
     }
 
@@ -85,20 +85,20 @@ class SpotWatchTest {
     void movingUnderControlIsNotASpotCleaning() {
         watch.started();
         SensorValues driven = resting(OiMode.SAFE).with(Packet.CURRENT, -900);
-        assertThat(feed(driven, SpotWatch.START_FRAMES)).isEqualTo(Ending.NOT_STARTED);
+        assertThat(feed(driven, SpotWatch.START_FRAMES)).isEqualTo(SpotEnd.NOT_STARTED);
     }
 
     @Test
     void controlTakenByAClientEndsItAtOnce() {
         watch.started();
         feed(cleaning(), 100);
-        assertThat(update(cleaning().with(Packet.OI_MODE, OiMode.SAFE.code()))).isEqualTo(Ending.OVERRIDDEN);
+        assertThat(update(cleaning().with(Packet.OI_MODE, OiMode.SAFE.code()))).isEqualTo(SpotEnd.OVERRIDDEN);
     }
 
     @Test
     void noneLastsLongerThanThreeMinutes() {
         watch.started();
-        assertThat(feed(cleaning(), SpotWatch.LONGEST_FRAMES)).isEqualTo(Ending.TOO_LONG);
+        assertThat(feed(cleaning(), SpotWatch.LONGEST_FRAMES)).isEqualTo(SpotEnd.TOO_LONG);
     }
 
     @Test
@@ -107,7 +107,7 @@ class SpotWatchTest {
         feed(cleaning(), 100);
         // Every second frame is lost. Received frames are counted, so the second of rest takes two seconds.
         int seen = 0;
-        Ending ending = null;
+        SpotEnd ending = null;
         for (int frame = 0; ending == null; frame++) {
             if (frame % 2 == 0) {
                 ending = update(REST);
@@ -124,7 +124,7 @@ class SpotWatchTest {
             assertThat(watch.update(REST, nowNanos)).isNull();
         }
         assertThat(feed(cleaning(), 100)).isNull();
-        assertThat(feed(REST, SpotWatch.QUIET_FRAMES)).isEqualTo(Ending.QUIET);
+        assertThat(feed(REST, SpotWatch.QUIET_FRAMES)).isEqualTo(SpotEnd.QUIET);
     }
 
     @Test
@@ -133,6 +133,6 @@ class SpotWatchTest {
         feed(cleaning(), 100);
         feed(REST, SpotWatch.QUIET_FRAMES - 1);
         watch.started();
-        assertThat(feed(REST, SpotWatch.START_FRAMES)).isEqualTo(Ending.NOT_STARTED);
+        assertThat(feed(REST, SpotWatch.START_FRAMES)).isEqualTo(SpotEnd.NOT_STARTED);
     }
 }

@@ -81,7 +81,7 @@ public final class Eye {
      * @param turnRadPerS the robot's turning rate, for motion blur
      * @param frameNumber selects the noise
      */
-    public Picture render(Room where, Pose pose, double turnRadPerS, long frameNumber) {
+    public CameraImage render(Room where, Pose pose, double turnRadPerS, long frameNumber) {
         enter(where);
         int count = 0;
         for (FaceView face : faces) {
@@ -94,7 +94,7 @@ public final class Eye {
             column.moveTo(x);
             paint(x, pose, count);
         }
-        return new Picture(width, height, film.develop(pixels, turnRadPerS, frameNumber));
+        return new CameraImage(width, height, film.develop(pixels, turnRadPerS, frameNumber));
     }
 
     private void enter(Room where) {

@@ -16,7 +16,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageWriteParam;
 import javax.imageio.ImageWriter;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
-import org.evoloop.roomba.simulator.eye.Picture;
+import org.evoloop.roomba.simulator.eye.CameraImage;
 
 /**
  * Encodes pictures as JPEG.
@@ -44,7 +44,7 @@ public final class Jpeg implements AutoCloseable {
     }
 
     /** The picture as a JPEG file. */
-    public byte[] encode(Picture picture) {
+    public byte[] encode(CameraImage picture) {
         int width = picture.widthPx();
         WritableRaster pixels = Raster.createInterleavedRaster(
                 new DataBufferByte(picture.bgr(), picture.bgr().length),

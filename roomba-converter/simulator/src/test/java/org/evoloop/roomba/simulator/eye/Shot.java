@@ -9,7 +9,7 @@ import org.evoloop.roomba.simulator.room.Room;
 import org.evoloop.roomba.simulator.room.Shape;
 
 /** A picture with accessors for tests. */
-record Shot(Picture picture) {
+record Shot(CameraImage picture) {
     static final Room PLAIN = Room.of(List.of(), null, Pose.ORIGIN);
 
     static Shot of(EyeOptions options, Room room) {

@@ -29,10 +29,10 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicBoolean;
 import javax.imageio.ImageIO;
 import org.evoloop.HalfRequests;
+import org.evoloop.roomba.simulator.eye.CameraImage;
 import org.evoloop.roomba.simulator.eye.Effects;
 import org.evoloop.roomba.simulator.eye.Eye;
 import org.evoloop.roomba.simulator.eye.EyeOptions;
-import org.evoloop.roomba.simulator.eye.Picture;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
 import org.evoloop.roomba.simulator.robot.SimulatedRoomba;
 import org.evoloop.roomba.simulator.room.Pose;
@@ -153,7 +153,7 @@ class WebcamTest {
         untilSeen(one, 3);
         untilSeen(other, 3);
         BufferedImage image = ImageIO.read(new ByteArrayInputStream(one.pictures.take()));
-        Picture truth = new Eye(SMALL.withEffects(Effects.CLEAN)).render(ROOM, ROOM.start(), 0, 0);
+        CameraImage truth = new Eye(SMALL.withEffects(Effects.CLEAN)).render(ROOM, ROOM.start(), 0, 0);
         assertThat(image.getWidth()).isEqualTo(160);
         assertThat(image.getHeight()).isEqualTo(120);
         // On the bright side, where a typical camera's levels differ from a clean one's by a tenth at most.

@@ -11,9 +11,9 @@ import java.util.Set;
  * @param left the states that were left, even if they were entered again
  * @param entered the vertices that were entered, even if they were left again
  */
-record Outcome(Snapshot target, List<String> effects, Set<Node> left, Set<Node> entered) {
+record StepResult(StableConfiguration target, List<String> effects, Set<Node> left, Set<Node> entered) {
     /** Whether the machine does the same, though by other transitions. */
-    boolean isLike(Outcome other) {
+    boolean isLike(StepResult other) {
         return target.equals(other.target)
                 && effects.equals(other.effects)
                 && left.equals(other.left)

@@ -19,7 +19,7 @@ import org.slf4j.LoggerFactory;
  *
  * <p>Threading: the server's thread; a command runs on its own thread and passes its answer back.
  */
-final class Connection {
+final class ControlConnection {
     /** The longest request in bytes, including its line feed. */
     static final int LONGEST_LINE = 4096;
 
@@ -27,7 +27,7 @@ final class Connection {
 
     static final Duration LIMIT = Duration.ofSeconds(30);
 
-    private static final Logger LOG = LoggerFactory.getLogger(Connection.class);
+    private static final Logger LOG = LoggerFactory.getLogger(ControlConnection.class);
     private static final ByteBuffer NOTHING = ByteBuffer.allocate(0);
 
     private final ControlServer server;
@@ -40,7 +40,7 @@ final class Connection {
     private boolean refused;
     private Clock.@Nullable Timer deadline;
 
-    Connection(ControlServer server, SocketChannel channel, Selector selector) throws IOException {
+    ControlConnection(ControlServer server, SocketChannel channel, Selector selector) throws IOException {
         this.server = server;
         this.channel = channel;
         this.key = channel.register(selector, 0, this);

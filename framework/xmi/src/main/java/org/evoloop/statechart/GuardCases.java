@@ -10,7 +10,7 @@ import java.util.Map;
  * come first. So of several outcomes, the first one whose guards all hold is the right one, and the guards that did not
  * hold need not be recorded.
  */
-final class Guards {
+final class GuardCases {
     private final List<Boolean> plan = new ArrayList<>();
     private final Map<String, Boolean> asked = new LinkedHashMap<>();
 

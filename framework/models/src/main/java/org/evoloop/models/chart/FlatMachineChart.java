@@ -15,10 +15,10 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
 /** A flat machine as a chart with one region, so that it can be shown like a drawn one. */
-public final class FlatChart {
+public final class FlatMachineChart {
     private static final String INITIAL = "initial";
 
-    private FlatChart() {}
+    private FlatMachineChart() {}
 
     /** The chart; its states' keys are {@link #key(State)}. */
     public static Statechart of(StateMachine machine) {
@@ -59,7 +59,7 @@ public final class FlatChart {
         List<Arc> internal = transitions.stream()
                 .filter(transition ->
                         transition.internal() && transition.source().equals(state))
-                .map(FlatChart::arc)
+                .map(FlatMachineChart::arc)
                 .toList();
         return new Vertex.ChartState(
                 key(state),

@@ -11,20 +11,20 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 
 /** Checks the rules that a statechart must obey before it can be flattened, independent of the order of events. */
-final class Rules {
+final class ChartRules {
     private static final String BRANCHES = "give each its own guard, one of them may be [else]";
 
     private final Net net;
     private final List<Problem> problems;
 
-    private Rules(Net net, List<Problem> problems) {
+    private ChartRules(Net net, List<Problem> problems) {
         this.net = net;
         this.problems = problems;
     }
 
     /** @param problems receives the violations */
     static void check(Net net, List<Problem> problems) {
-        new Rules(net, problems).check();
+        new ChartRules(net, problems).check();
     }
 
     private void check() {

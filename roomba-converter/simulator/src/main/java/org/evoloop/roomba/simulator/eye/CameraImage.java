@@ -7,4 +7,4 @@ package org.evoloop.roomba.simulator.eye;
  * @since 0.1
  */
 @SuppressWarnings("ArrayRecordComponent") // Hundreds of pictures are made per second; copies would double the work.
-public record Picture(int widthPx, int heightPx, byte[] bgr) {}
+public record CameraImage(int widthPx, int heightPx, byte[] bgr) {}

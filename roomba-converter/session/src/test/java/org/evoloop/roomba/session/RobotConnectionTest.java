@@ -25,7 +25,7 @@ import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.InputCommand;
 import org.evoloop.roomba.oi.OiMode;
 import org.evoloop.roomba.oi.StreamFrame;
-import org.evoloop.roomba.session.connection.Connection;
+import org.evoloop.roomba.session.connection.RobotConnection;
 import org.evoloop.roomba.session.connection.RobotException;
 import org.evoloop.time.Clock;
 import org.evoloop.time.ManualClock;
@@ -35,7 +35,7 @@ import org.junit.jupiter.api.Timeout;
 
 /** The connection step by step, on a cable in memory whose other end sends only what a test makes it send. */
 @Timeout(30)
-class ConnectionTest {
+class RobotConnectionTest {
     private static final byte[] FRAME = StreamFrame.encode(RoombaSession.STREAM, packet -> 0);
     private static final Duration LONG = Duration.ofSeconds(30);
 
@@ -51,10 +51,10 @@ class ConnectionTest {
     void aRobotThatAnswersWhileItIsWokenIsNotDisturbedAnyMore() {
         try (RoombaSession session = session(cables::plugIn)) {
             session.open();
-            clock.advance(Connection.ANSWER_LIMIT.plusMillis(100));
+            clock.advance(RobotConnection.ANSWER_LIMIT.plusMillis(100));
             cables.heard();
             cables.say(FRAME);
-            clock.advance(Connection.WAKE_PULSE.plusMillis(300));
+            clock.advance(RobotConnection.WAKE_PULSE.plusMillis(300));
             assertThat(session.isUp()).isTrue();
             assertThat(cables.heard())
                     .as("a Start would end the control taken meanwhile")
@@ -120,7 +120,7 @@ class ConnectionTest {
                     .hasMessageContaining("no answer at 115200 nor 19200 baud")
                     .hasMessageContaining("Press CLEAN");
             while (cables.bauds.get(cables.bauds.size() - 1) != 115_200) {
-                clock.advance(Connection.LOOK);
+                clock.advance(RobotConnection.LOOK);
             }
             cables.say(FRAME);
             assertThat(session.isUp()).isTrue();
@@ -144,7 +144,7 @@ class ConnectionTest {
             clock.advance(LONG);
             assertThat(session.describe()).as("it sleeps").contains("no answer yet");
             while (cables.bauds.get(cables.bauds.size() - 1) != 115_200) {
-                clock.advance(Connection.LOOK);
+                clock.advance(RobotConnection.LOOK);
             }
             cables.heard();
             cables.say(FRAME);
@@ -174,8 +174,8 @@ class ConnectionTest {
             cables.heard();
             clock.advance(SessionOptions.defaults()
                     .silenceLimit()
-                    .plus(Connection.LOOK)
-                    .plus(Connection.MODE_CHANGE));
+                    .plus(RobotConnection.LOOK)
+                    .plus(RobotConnection.MODE_CHANGE));
             assertThat(session.isUp()).isFalse();
             assertThat(session.describe()).contains("fallen silent");
             ByteArrayOutputStream question = new ByteArrayOutputStream();
@@ -193,10 +193,10 @@ class ConnectionTest {
             session.open();
             cables.say(FRAME);
             cables.hangUp();
-            clock.advance(Connection.LOOK);
+            clock.advance(RobotConnection.LOOK);
             cables.hangUp();
             assertThat(session.isUp()).isFalse();
-            clock.advance(Connection.LOOK);
+            clock.advance(RobotConnection.LOOK);
             cables.say(FRAME);
             assertThat(session.isUp()).isTrue();
             assertThat(cables.bauds).containsExactly(115_200, 115_200, 115_200);
@@ -215,7 +215,7 @@ class ConnectionTest {
             cables.say(FRAME);
             cables.say(Arrays.copyOf(FRAME, 20));
             cables.hangUp();
-            clock.advance(Connection.LOOK);
+            clock.advance(RobotConnection.LOOK);
             cables.say(FRAME);
             cables.say(FRAME);
             assertThat(session.isUp()).isTrue();
@@ -236,7 +236,7 @@ class ConnectionTest {
             session.poll();
             assertThat(session.isUp()).isFalse();
             assertThat(session.describe()).contains("takes no bytes");
-            clock.advance(Connection.LOOK);
+            clock.advance(RobotConnection.LOOK);
             cables.say(FRAME);
             assertThat(session.isUp()).isTrue();
             cables.heard();
@@ -268,7 +268,7 @@ class ConnectionTest {
     void closingEndsTheWaitAndLeavesNoTimers() {
         RoombaSession session = session(cables::plugIn);
         session.open();
-        clock.advance(Connection.ANSWER_LIMIT);
+        clock.advance(RobotConnection.ANSWER_LIMIT);
         session.close();
         session.close();
         assertThatThrownBy(session::awaitRobot)
@@ -276,7 +276,7 @@ class ConnectionTest {
                         LinkException.class,
                         closed -> assertThat(closed.fault()).isEqualTo(Fault.CLOSED));
         cables.say(FRAME);
-        clock.advance(Connection.LOOK.plus(Connection.WAKE_PULSE));
+        clock.advance(RobotConnection.LOOK.plus(RobotConnection.WAKE_PULSE));
         assertThat(clock.pendingTasks()).isZero();
         assertThat(session.isUp()).isFalse();
     }

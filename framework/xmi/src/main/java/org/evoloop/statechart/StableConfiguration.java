@@ -3,7 +3,7 @@ package org.evoloop.statechart;
 import java.util.Arrays;
 
 /** Everything that determines how a stable machine reacts to events. */
-final class Snapshot implements Comparable<Snapshot> {
+final class StableConfiguration implements Comparable<StableConfiguration> {
     private static final int[] NONE = {};
 
     /** The innermost active vertex of each region, in document order; or the terminate pseudostate. */
@@ -15,7 +15,7 @@ final class Snapshot implements Comparable<Snapshot> {
 
     private final int hash;
 
-    Snapshot(int[] leaves, int[] memory, int[] done) {
+    StableConfiguration(int[] leaves, int[] memory, int[] done) {
         this.leaves = leaves;
         this.memory = memory;
         this.done = done;
@@ -23,8 +23,8 @@ final class Snapshot implements Comparable<Snapshot> {
     }
 
     /** A snapshot in which the machine is in one simple state and nothing else matters. */
-    static Snapshot of(Node state) {
-        return new Snapshot(new int[] {state.index}, NONE, NONE);
+    static StableConfiguration of(Node state) {
+        return new StableConfiguration(new int[] {state.index}, NONE, NONE);
     }
 
     /** Whether only one active vertex matters. */
@@ -33,14 +33,14 @@ final class Snapshot implements Comparable<Snapshot> {
     }
 
     /** A copy in which {@code after} replaces {@code before}. */
-    Snapshot with(Node before, Node after) {
+    StableConfiguration with(Node before, Node after) {
         int[] changed = leaves.clone();
         for (int i = 0; i < changed.length; i++) {
             if (changed[i] == before.index) {
                 changed[i] = after.index;
             }
         }
-        return new Snapshot(changed, memory, done);
+        return new StableConfiguration(changed, memory, done);
     }
 
     int[] leaves() {
@@ -56,13 +56,13 @@ final class Snapshot implements Comparable<Snapshot> {
     }
 
     /** Whether they differ at most in what is remembered. */
-    boolean looksLike(Snapshot other) {
+    boolean looksLike(StableConfiguration other) {
         return Arrays.equals(leaves, other.leaves) && Arrays.equals(done, other.done);
     }
 
     @Override
     public boolean equals(Object object) {
-        return object instanceof Snapshot other && looksLike(other) && Arrays.equals(memory, other.memory);
+        return object instanceof StableConfiguration other && looksLike(other) && Arrays.equals(memory, other.memory);
     }
 
     @Override
@@ -72,7 +72,7 @@ final class Snapshot implements Comparable<Snapshot> {
 
     /** Document order; a snapshot that remembers less comes first. */
     @Override
-    public int compareTo(Snapshot other) {
+    public int compareTo(StableConfiguration other) {
         int byLeaves = Arrays.compare(leaves, other.leaves);
         int byDone = byLeaves != 0 ? byLeaves : Arrays.compare(done, other.done);
         return byDone != 0 ? byDone : Arrays.compare(memory, other.memory);

@@ -31,7 +31,7 @@ import org.slf4j.LoggerFactory;
  *
  * @since 0.1
  */
-public final class Connection {
+public final class RobotConnection {
     static final int BAUD = 115_200;
     static final int ALTERNATE_BAUD = 19_200;
 
@@ -56,7 +56,7 @@ public final class Connection {
     /** After a change of the baud rate the robot needs 100 ms. */
     static final Duration BAUD_CHANGE = Duration.ofMillis(100);
 
-    private static final Logger LOG = LoggerFactory.getLogger(Connection.class);
+    private static final Logger LOG = LoggerFactory.getLogger(RobotConnection.class);
     private static final int ATTEMPTS = 3;
 
     private static final String TRYING = "it is woken by its wake line and asked again, then also at " + ALTERNATE_BAUD
@@ -82,7 +82,7 @@ public final class Connection {
     private long pulsedNanos;
 
     /** @param cable opens a new link to the robot at a baud rate; called again whenever the link was lost */
-    public Connection(IntFunction<Link> cable, Clock clock, ConnectionOptions options, ConnectionOwner owner) {
+    public RobotConnection(IntFunction<Link> cable, Clock clock, ConnectionOptions options, ConnectionOwner owner) {
         this.plug = new Plug(cable);
         this.clock = clock;
         this.silence = new Silence(clock);

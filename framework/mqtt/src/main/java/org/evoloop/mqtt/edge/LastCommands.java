@@ -22,7 +22,7 @@ import java.util.Map;
  *
  * @since 0.1
  */
-public final class Carried implements AutoCloseable {
+public final class LastCommands implements AutoCloseable {
     private static final int MOST_LINES = 100_000;
 
     private final Path file;
@@ -31,7 +31,7 @@ public final class Carried implements AutoCloseable {
     private int written;
 
     /** @param directory contains the file; must exist */
-    public Carried(Path directory) {
+    public LastCommands(Path directory) {
         file = directory.resolve("carried");
         try {
             if (Files.exists(file)) {
