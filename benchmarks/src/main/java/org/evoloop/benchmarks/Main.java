@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import org.evoloop.benchmarks.decision.DecisionSuite;
 import org.evoloop.benchmarks.device.DeviceSuite;
+import org.evoloop.benchmarks.file.FileSuite;
 import org.evoloop.benchmarks.loading.LoadingSuite;
 import org.evoloop.benchmarks.report.Origin;
 import org.evoloop.benchmarks.report.Results;
@@ -29,8 +30,13 @@ import picocli.CommandLine.Option;
         mixinStandardHelpOptions = true,
         subcommands = {PlotCommand.class, ProfileCommand.class, SoakCommand.class})
 public final class Main implements Callable<Integer> {
-    private static final List<Suite> SUITES =
-            List.of(new DecisionSuite(), new RingSuite(), new RunningSuite(), new LoadingSuite(), new DeviceSuite());
+    private static final List<Suite> SUITES = List.of(
+            new DecisionSuite(),
+            new RingSuite(),
+            new RunningSuite(),
+            new LoadingSuite(),
+            new DeviceSuite(),
+            new FileSuite());
 
     @Option(names = "--quick", description = "Takes less than ten minutes; the figures are rougher.")
     private boolean quick;
@@ -39,7 +45,7 @@ public final class Main implements Callable<Integer> {
             names = "--only",
             paramLabel = "SUITE",
             split = ",",
-            description = "Only these: decision, ring, running, loading, device (default: all).")
+            description = "Only these: decision, ring, running, loading, device, file (default: all).")
     private List<String> only = new ArrayList<>();
 
     @Option(names = "--json", paramLabel = "FILE", description = "Writes the rows to FILE as well.")
