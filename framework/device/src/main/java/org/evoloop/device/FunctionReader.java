@@ -107,7 +107,8 @@ final class FunctionReader {
      */
     private @Nullable Action action(Node.Text state, Section section) {
         // Where there is one connection, what is sent over it says enough.
-        boolean isSaid = OUTWARD.stream().anyMatch(section::has) && ACTIONS.stream().noneMatch(section::has);
+        boolean isSaid =
+                OUTWARD.stream().anyMatch(section::has) && ACTIONS.stream().noneMatch(section::has);
         String kind = isSaid ? "to" : section.oneOf(ACTIONS).orElse(null);
         if (kind == null) {
             return null;
@@ -141,9 +142,10 @@ final class FunctionReader {
                             .findFirst()
                             .orElse("");
         }
-        String more = section.keys().stream()
-                .filter(key -> !List.of("to", "every", "time", "within", "body").contains(key.value()))
-                .flatMap(key -> section.any(key.value()).stream())
+        String more = section.node().entries().entrySet().stream()
+                .filter(each -> !List.of("to", "every", "time", "within", "body")
+                        .contains(each.getKey().value()))
+                .map(Map.Entry::getValue)
                 .filter(Node.Text.class::isInstance)
                 .map(text -> text.toString().replaceFirst("^([A-Z]+ /[^?]*)\\?.*", "$1"))
                 .collect(Collectors.joining(" "));

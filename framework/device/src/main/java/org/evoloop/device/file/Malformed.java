@@ -26,8 +26,9 @@ record Malformed(int line, String mistake) {
             return new Malformed(
                     before, "it has a value, and line " + noticed + " is indented below it; keep one of them");
         }
-        return before > 0 && openBrackets(lines.get(before - 1)) > 0
-                ? new Malformed(before, "a bracket is not closed: " + problem + " in line " + noticed)
+        int open = lastOpen(before, lines);
+        return open > 0
+                ? new Malformed(open, "a bracket is not closed: " + problem + " in line " + noticed)
                 : new Malformed(noticed, problem);
     }
 
@@ -42,6 +43,18 @@ record Malformed(int line, String mistake) {
             before--;
         }
         return before;
+    }
+
+    /** The last of the lines up to {@code from} whose brackets are not closed up to there; 0 if all are. */
+    private static int lastOpen(int from, List<String> lines) {
+        int open = 0;
+        for (int line = from; line > 0; line--) {
+            open += openBrackets(lines.get(line - 1));
+            if (open > 0) {
+                return line;
+            }
+        }
+        return 0;
     }
 
     private static boolean isBelowAValue(String above, String below) {
