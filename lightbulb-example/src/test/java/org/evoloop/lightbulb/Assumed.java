@@ -18,6 +18,8 @@ import org.evoloop.time.Clock;
 @SuppressWarnings("NullAway.Init") // they are compiled only
 abstract class Assumed {
     SystemEventConverter converter;
+    SystemEventConverter upper;
+    SystemEventConverter lower;
     PushMonitor monitor;
     Console console;
     Clock clock;

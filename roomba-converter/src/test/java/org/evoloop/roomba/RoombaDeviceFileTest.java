@@ -76,7 +76,7 @@ class RoombaDeviceFileTest {
     }
 
     private void awaitAnswer(String command, String answer) {
-        await(answer).atMost(PATIENCE).until(() -> {
+        await(answer).atMost(PATIENCE).pollInterval(Duration.ofMillis(500)).until(() -> {
             type(command);
             return printed.toString(StandardCharsets.UTF_8).contains(answer);
         });

@@ -133,13 +133,12 @@ class ImitatedDevicesTest {
             @Override
             public List<Said> reports(String state) {
                 double power = state.equals("Running") ? 412.5 : state.equals("Standby") ? 1.2 : 0;
-                return state.equals("Off")
-                        ? List.of(new Said("stat/washer/POWER", "OFF"))
-                        : List.of(
-                                new Said("tele/washer/SENSOR", "{\"ENERGY\":{\"Total\":3.1,\"Power\":" + power + "}}"),
-                                new Said(
-                                        "stat/washer/STATUS8",
-                                        "{\"StatusSNS\":{\"ENERGY\":{\"Total\":3.1,\"Power\":" + power + "}}}"));
+                return List.of(
+                        new Said("stat/washer/POWER", state.equals("Off") ? "OFF" : "ON"),
+                        new Said("tele/washer/SENSOR", "{\"ENERGY\":{\"Total\":3.1,\"Power\":" + power + "}}"),
+                        new Said(
+                                "stat/washer/STATUS8",
+                                "{\"StatusSNS\":{\"ENERGY\":{\"Total\":3.1,\"Power\":" + power + "}}}"));
             }
         },
         VALETUDO("valetudo") {

@@ -21,6 +21,7 @@ final class TopicRules {
     private final @Nullable Clock clock;
     private final BiConsumer<String, Consumer<Message>> subscribe;
     private final Map<String, List<Rule>> rules = new HashMap<>();
+    private final List<Held> states = new CopyOnWriteArrayList<>();
 
     /** Which messages a rule is for. */
     enum Use {
@@ -44,15 +45,32 @@ final class TopicRules {
 
     /** @throws IllegalArgumentException if a meaning has to hold for a time, and there is no clock */
     void add(String topic, Meanings meanings, Use use, Consumer<Meanings.Meaning> heard) {
+        Consumer<Meanings.Meaning> told = use == Use.EVENT ? heard : endingOthers(heard);
         Rule rule = meanings.lasting().isZero()
-                ? new Rule(meanings, use, now -> now.ifPresent(heard))
-                : new Rule(meanings, use, new Held(requireClock(topic), meanings, use, heard)::hear);
+                ? new Rule(meanings, use, now -> now.ifPresent(told))
+                : new Rule(meanings, use, held(topic, meanings, use, told)::hear);
         rules.computeIfAbsent(topic, first -> {
                     List<Rule> ofTopic = new CopyOnWriteArrayList<>();
                     subscribe.accept(topic, message -> hear(ofTopic, message));
                     return ofTopic;
                 })
                 .add(rule);
+    }
+
+    private Held held(String topic, Meanings meanings, Use use, Consumer<Meanings.Meaning> told) {
+        Held held = new Held(requireClock(topic), meanings, use, told);
+        if (use != Use.EVENT) {
+            states.add(held);
+        }
+        return held;
+    }
+
+    /** What one topic says of the state ends what another one has said before, and what has not held for long enough yet. */
+    private Consumer<Meanings.Meaning> endingOthers(Consumer<Meanings.Meaning> heard) {
+        return state -> {
+            states.forEach(held -> held.endUnless(state));
+            heard.accept(state);
+        };
     }
 
     private Clock requireClock(String topic) {
@@ -84,6 +102,7 @@ final class TopicRules {
         private final Steady steady;
         private final Use use;
         private final Consumer<Meanings.Meaning> then;
+        private String now = "";
         private @Nullable String last;
         private Clock.@Nullable Timer timer;
 
@@ -99,13 +118,21 @@ final class TopicRules {
             noted(now).ifPresent(this::settle);
         }
 
+        /** Another topic says that the device is in this state. */
+        synchronized void endUnless(Meanings.Meaning state) {
+            if (!now.isEmpty() && !now.equals(state.name())) {
+                noted(Optional.empty());
+            }
+        }
+
         /** The meaning if it has held for long enough; else a timer looks again. */
         private synchronized Optional<Meanings.Meaning> noted(Optional<Meanings.Meaning> now) {
+            this.now = now.map(Meanings.Meaning::name).orElse("");
             steady.see(now);
             if (timer != null) {
                 timer.cancel();
             }
-            String name = now.map(Meanings.Meaning::name).orElse("");
+            String name = this.now;
             if (name.isEmpty() || last == null) {
                 // What holds from the beginning has not begun now.
                 last = name;

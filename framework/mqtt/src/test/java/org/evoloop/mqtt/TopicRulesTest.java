@@ -72,6 +72,28 @@ class TopicRulesTest {
     }
 
     @Test
+    void whatAnotherTopicSaysOfTheStateEndsWhatHasNotLastedYet() {
+        add(LOW.lasting(SECOND.multipliedBy(2)), TopicRules.Use.STATE);
+        rules.add(
+                "plug/relay",
+                Meanings.of(Map.of("off", "Unplugged", "low", "Off")),
+                TopicRules.Use.STATE,
+                meaning -> heard.add(meaning.name()));
+        says("1");
+        clock.advance(SECOND);
+        subscribed.get("plug/relay").accept(Message.command("plug/relay", "low"));
+        clock.advance(SECOND);
+        assertThat(heard).containsExactly("Off", "Off");
+
+        says("200");
+        says("1");
+        clock.advance(SECOND);
+        subscribed.get("plug/relay").accept(Message.command("plug/relay", "off"));
+        clock.advance(SECOND.multipliedBy(5));
+        assertThat(heard).containsExactly("Off", "Off", "Unplugged");
+    }
+
+    @Test
     void anEventThatMustBeSteadyOccursOnceAndNotIfItHasLastedFromTheBeginning() {
         add(LOW.lasting(SECOND), TopicRules.Use.EVENT);
         says("1");
