@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.EventOutcome;
@@ -129,7 +130,8 @@ public class MqttMonitor extends PushMonitor {
     /** As {@link #found(String, Map)}, with JSON and patterns. */
     public final MqttMonitor found(String topic, Meanings states) {
         Aftermath aftermath = connection.aftermath(topic);
-        rules.add(topic, states, TopicRules.Use.STATE, state -> aftermath.hear(state.name(), this::locate));
+        Consumer<String> found = this::locate;
+        rules.add(topic, states, TopicRules.Use.STATE, state -> aftermath.hear(state.name(), found));
         return this;
     }
 
