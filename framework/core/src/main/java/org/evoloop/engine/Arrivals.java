@@ -164,13 +164,13 @@ final class Arrivals {
     private void enqueue(Occurrence occurrence, @Nullable State from, @Nullable Step own) {
         long number = ledger.counts.observe();
         Pending next = new Pending(number, occurrence, from, own, ledger.place.steps(), 0);
-        if (ledger.line.hasRoom(next, ledger.rules, ledger.progress.isIdle())) {
-            ledger.line.add(next);
+        if (ledger.mailbox.hasRoom(next, ledger.rules, ledger.progress.isIdle())) {
+            ledger.mailbox.add(next);
             ledger.out.queued(occurrence);
         } else {
             ledger.followOwed |= next.hasHappened();
             ledger.counts.end(Outcome.DROPPED);
-            ledger.out.dropped(occurrence, ledger.line.lose());
+            ledger.out.dropped(occurrence, ledger.mailbox.lose());
         }
     }
 
@@ -181,7 +181,7 @@ final class Arrivals {
         while (ledger.progress.isIdle() && ledger.open) {
             Pending next = owedFinding();
             if (next == null) {
-                next = ledger.line.next();
+                next = ledger.mailbox.next();
             }
             if (next == null) {
                 return;
@@ -197,8 +197,8 @@ final class Arrivals {
             return ledger.progress.pending();
         }
         boolean owed =
-                ledger.followOwed && ledger.line.first(pending -> pending.hasHappened() && mayBegin(pending)) == null;
-        return owed ? finding(0) : ledger.line.first(this::mayBegin);
+                ledger.followOwed && ledger.mailbox.first(pending -> pending.hasHappened() && mayBegin(pending)) == null;
+        return owed ? finding(0) : ledger.mailbox.first(this::mayBegin);
     }
 
     private boolean mayBegin(Pending pending) {
@@ -251,7 +251,7 @@ final class Arrivals {
     /** See {@link Core#hasRoom}. */
     boolean hasRoom(Occurrence raised) {
         Pending next = new Pending(0, raised, null, null, ledger.place.steps(), 0);
-        return ledger.line.hasRoomForFunction(next, ledger.rules, ledger.progress.isIdle());
+        return ledger.mailbox.hasRoomForFunction(next, ledger.rules, ledger.progress.isIdle());
     }
 
     /**
@@ -259,7 +259,7 @@ final class Arrivals {
      * not, or if facts wait from which it still hears.
      */
     private @Nullable Pending owedFinding() {
-        if (!ledger.followOwed || ledger.line.holdsFacts()) {
+        if (!ledger.followOwed || ledger.mailbox.holdsFacts()) {
             return null;
         }
         ledger.followOwed = false;

@@ -111,7 +111,7 @@ final class Conversion {
             conclude(number, Outcome.OVERTAKEN, progress.pending().afterBroken(overtaken));
         } else if (!step.source().equals(ledger.place.at().original())) {
             again("the device left " + step.source() + " by itself");
-        } else if (ledger.line.holdsDoubt()) {
+        } else if (ledger.mailbox.holdsDoubt()) {
             again("the device has to be asked first where it is");
         } else {
             progress.send();
@@ -288,7 +288,7 @@ final class Conversion {
     /** The occurrence in progress has its turn again before all others but a question to the device, as {@code next}. */
     private void retry(Pending next, String why) {
         progress.end();
-        ledger.line.putBack(next);
+        ledger.mailbox.putBack(next);
         ledger.out.overtaken(next.occurrence(), why);
     }
 
@@ -408,7 +408,7 @@ final class Conversion {
             // It was not yet decided: it has its turn again.
             Pending pending = progress.pending();
             progress.end();
-            ledger.line.putBack(pending);
+            ledger.mailbox.putBack(pending);
         } else if (!progress.isIdle()) {
             if (progress.isRunning()) {
                 progress.interruptEffect(PROCESS_ENDED);
@@ -475,7 +475,7 @@ final class Conversion {
         Decision found = ledger.rules.table().find(ledger.place.at(), state);
         ledger.place.moveDevice(state, ledger.out);
         // Facts that wait are older than the answer, and may lead the new model elsewhere.
-        ledger.followOwed |= ledger.line.holdsFacts();
+        ledger.followOwed |= ledger.mailbox.holdsFacts();
         if (completed != null) {
             decide(completed);
         } else {

@@ -116,7 +116,7 @@ public final class Core implements Inputs {
         }
         ledger.open = false;
         conversion.dropInterrupted();
-        for (Pending pending : ledger.line.withoutFacts()) {
+        for (Pending pending : ledger.mailbox.withoutFacts()) {
             ledger.refused(pending.occurrence());
         }
     }
@@ -296,12 +296,12 @@ public final class Core implements Inputs {
 
     /** Whether an occurrence is ready to begin when nothing is in progress. */
     public boolean hasNext() {
-        return ledger.line.size() > 0 || ledger.followOwed || ledger.progress.isInterrupted();
+        return ledger.mailbox.size() > 0 || ledger.followOwed || ledger.progress.isInterrupted();
     }
 
     /** How many occurrences wait for their turn. */
     public int waiting() {
-        return ledger.line.size();
+        return ledger.mailbox.size();
     }
 
     /** The number of occurrences and their outcomes. */

@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
 /** The state of a {@link Core}, and the changes that several of its parts make. */
 final class Ledger {
     final Place place;
-    final Line line;
+    final Mailbox mailbox;
     final Stay stay;
     final Counts counts;
     Rules rules;
@@ -43,7 +43,7 @@ final class Ledger {
         this.rules = rules;
         this.place = new Place(snapshot);
         this.counts = new Counts(snapshot.tally());
-        this.line = new Line(snapshot, counts, this::isDeferred, this::isUrgent);
+        this.mailbox = new Mailbox(snapshot, counts, this::isDeferred, this::isUrgent);
         this.stay = new Stay(snapshot.visit());
         this.progress = new Progress(snapshot.work());
         restore(rules, snapshot);
@@ -56,7 +56,7 @@ final class Ledger {
         followOwed = snapshot.followOwed();
         place.restore(snapshot);
         counts.restore(snapshot.tally());
-        line.restore(snapshot);
+        mailbox.restore(snapshot);
         stay.restore(snapshot.visit());
         progress.restore(snapshot.work());
     }
@@ -69,8 +69,8 @@ final class Ledger {
                 place.steps(),
                 place.lastStepNanos(),
                 stay.visit(),
-                line.waiting(),
-                line.isLosing(),
+                mailbox.waiting(),
+                mailbox.isLosing(),
                 followOwed,
                 progress.work(),
                 counts.tally(),
@@ -96,7 +96,7 @@ final class Ledger {
     void becomes(Rules others) {
         rules = others;
         // What is urgent may be another.
-        line.replace(pending -> pending);
+        mailbox.replace(pending -> pending);
     }
 
     /**
@@ -109,10 +109,10 @@ final class Ledger {
     }
 
     private @Nullable Pending nextUrgent() {
-        if (!line.holdsUrgent()) {
+        if (!mailbox.holdsUrgent()) {
             return null;
         }
-        return line.firstUrgent(pending ->
+        return mailbox.firstUrgent(pending ->
                 rules.table().models().evolved().hasTrigger(place.at().evolved(), trigger(pending))
                         && (pending.occurrence().visit() == Occurrence.ANY_VISIT
                                 || stay.isCurrent(pending.occurrence().visit())));
@@ -134,7 +134,7 @@ final class Ledger {
 
     /** Whether the new model has yet to hear what the device did, or to follow it out of a state that needs it. */
     boolean isToFollowFirst() {
-        return line.holdsFacts() || (followOwed && !isWhereNeeded());
+        return mailbox.holdsFacts() || (followOwed && !isWhereNeeded());
     }
 
     // Outcomes
@@ -174,7 +174,7 @@ final class Ledger {
             kept.add(timer.name());
         }
         long before = stay.number();
-        for (Pending pending : line.waiting()) {
+        for (Pending pending : mailbox.waiting()) {
             // An older one is stale, and this visit's may still come.
             if (pending.occurrence() instanceof Occurrence.Heard heard
                     && heard.source() == Source.TIMER
@@ -183,13 +183,13 @@ final class Ledger {
             }
         }
         enter(stay.by(), kept);
-        line.replace(pending -> pending.carriedOver(before, stay.number()));
+        mailbox.replace(pending -> pending.carriedOver(before, stay.number()));
         progress.replace(pending -> pending.carriedOver(before, stay.number()));
     }
 
     /** Whether the device has yet to be sent to where the new model is, after other models have taken over. */
     boolean isSettling() {
-        return line.holdsTakeover()
+        return mailbox.holdsTakeover()
                 || (!progress.isIdle() && progress.pending().occurrence() instanceof Occurrence.Evolved);
     }
 
@@ -204,7 +204,7 @@ final class Ledger {
     boolean enterAgain(Occurrence after) {
         boolean again = stay.isOver()
                 && open
-                && !line.isRetryNext()
+                && !mailbox.isRetryNext()
                 && nextUrgent() == null
                 && !isSettling()
                 && isWhereNeeded();
@@ -230,7 +230,7 @@ final class Ledger {
             return;
         }
         stay.oweStart(begins || stay.isStartOwed());
-        if (stay.isStartOwed() && open && isWhereNeeded() && place.doubt() == null && !line.holdsFacts()) {
+        if (stay.isStartOwed() && open && isWhereNeeded() && place.doubt() == null && !mailbox.holdsFacts()) {
             stay.oweStart(false);
             out.start(stay.number(), again);
         }
@@ -249,9 +249,9 @@ final class Ledger {
     /** Queues an inquiry to the device if the record is in doubt and none is queued yet. */
     void ask() {
         Doubt doubt = place.doubt();
-        if (doubt != null && !line.holdsDoubt()) {
+        if (doubt != null && !mailbox.holdsDoubt()) {
             Occurrence occurrence = new Occurrence.InDoubt(doubt.why(), nowNanos);
-            line.addFirst(new Pending(counts.observe(), occurrence, null, null, place.steps(), 0));
+            mailbox.addFirst(new Pending(counts.observe(), occurrence, null, null, place.steps(), 0));
         }
     }
 
@@ -305,7 +305,7 @@ final class Ledger {
      */
     private void followUnless(boolean together) {
         Doubt last = place.lastDoubt();
-        followOwed |= !together && (last == null || !line.holds(last.number()));
+        followOwed |= !together && (last == null || !mailbox.holds(last.number()));
     }
 
     /**

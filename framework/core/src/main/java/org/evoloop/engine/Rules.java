@@ -24,7 +24,7 @@ import org.evoloop.statemachine.State;
  */
 public record Rules(DecisionTable table, Timers timers, int queueCapacity, Duration pressAge) {
     /** A capacity with which not even facts, and events of timers and functions, have room. */
-    public static final int NO_ROOM = -Line.MOST_FACTS;
+    public static final int NO_ROOM = -Mailbox.MOST_FACTS;
 
     /** Longer than any time: no event of a controller is ever too old. */
     public static final Duration ANY_AGE = Duration.ofNanos(Long.MAX_VALUE);
@@ -96,7 +96,7 @@ public record Rules(DecisionTable table, Timers timers, int queueCapacity, Durat
 
     /** How many facts, and events raised by timers or functions, may wait besides controllers' events. */
     public int mostFacts() {
-        return queueCapacity + Line.MOST_FACTS;
+        return queueCapacity + Mailbox.MOST_FACTS;
     }
 
     /** Whether the event of a timer may wait behind these. */

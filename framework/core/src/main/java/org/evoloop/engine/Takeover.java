@@ -42,7 +42,7 @@ final class Takeover {
         if (ledger.progress.isInterrupted()) {
             return "the plan for " + ledger.progress.pending().occurrence().label()
                     + " was interrupted; it goes on when the converter is started";
-        } else if (!ledger.progress.isIdle() || ledger.line.holdsRetry()) {
+        } else if (!ledger.progress.isIdle() || ledger.mailbox.holdsRetry()) {
             return "an event is in progress";
         }
         return doubt != null && (!doubt.settled() || doubt.isReported())
@@ -70,7 +70,7 @@ final class Takeover {
         stay(swap.succession(), maps, continues);
         ledger.followOwed |= settled && !maps.to().equals(maps.at());
         if (!settled) {
-            ledger.line.addFirst(new Pending(ledger.counts.observe(), evolved, null, null, ledger.place.steps(), 0));
+            ledger.mailbox.addFirst(new Pending(ledger.counts.observe(), evolved, null, null, ledger.place.steps(), 0));
         }
     }
 
@@ -97,7 +97,7 @@ final class Takeover {
     // The queue
 
     private void line(Succession succession, Fate.Maps maps, boolean continues) {
-        ledger.line.replace(pending -> {
+        ledger.mailbox.replace(pending -> {
             if (!isOver(pending.occurrence(), maps, continues)) {
                 return in(pending, succession, maps);
             }

@@ -46,7 +46,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
      * @throws IllegalArgumentException if an option is out of range; the message lists all of them
      */
     public MapeLoop(LoopConfig config, LoopListener<O> listener) {
-        this(config, listener, Dispatch.toEach(), new Backlog<>(config.queueCapacity()));
+        this(config, listener, Dispatch.toEach(), new PlainQueue<>(config.queueCapacity()));
     }
 
     /**

@@ -15,7 +15,7 @@
  *   <li>Lifecycle: {@code Gate} opens, closes and holds the loop; {@code Roster} has its components.
  *   <li>Threads: {@code Crew} assigns each component a {@code CarrierThread}, as {@link
  *       org.evoloop.loop.ThreadingModel} says, and replaces one that hangs; {@code Supervisor} notices that it does.
- *   <li>Queue: {@link org.evoloop.loop.Intake}, by default a {@code Backlog}.
+ *   <li>Queue: {@link org.evoloop.loop.Intake}, by default a {@code PlainQueue}.
  * </ul>
  *
  * <p>This package may use {@code org.evoloop.time} and {@code org.evoloop.flight} only; it knows nothing of state

@@ -26,7 +26,7 @@ public final class Succession {
     private final Mapping mapping;
     private final StateMachine oldDevice;
     private final StateMachine oldSystem;
-    private final Belongings belongings;
+    private final CarryOver belongings;
 
     /**
      * @param runningTimers the timers of the running new model
@@ -39,7 +39,7 @@ public final class Succession {
         this.mapping = mapping;
         this.oldDevice = running.models().original();
         this.oldSystem = running.models().evolved();
-        this.belongings = new Belongings(running, runningTimers, next, nextTimers, mapping);
+        this.belongings = new CarryOver(running, runningTimers, next, nextTimers, mapping);
     }
 
     /**

@@ -25,7 +25,7 @@ class GivenUpBeforeItBeganTest {
                 new Sequencer<>(
                         config,
                         new Strict(),
-                        new Backlog<>(1),
+                        new PlainQueue<>(1),
                         new Pipeline<>("loop", Dispatch.toEach()),
                         new LoopLock()),
                 (by, input) -> {

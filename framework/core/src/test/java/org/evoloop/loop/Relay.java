@@ -24,7 +24,7 @@ final class Relay implements AutoCloseable {
     }
 
     Relay(LoopConfig config, Dispatch<String> dispatch) {
-        this(config, dispatch, new Backlog<>(config.queueCapacity()));
+        this(config, dispatch, new PlainQueue<>(config.queueCapacity()));
     }
 
     Relay(LoopConfig config, Dispatch<String> dispatch, Intake<String> intake) {

@@ -19,7 +19,7 @@ class RoomTest {
 
     /** A queue that never has room for what is "deferred", and for anything else only while it is empty. */
     private static final class Choosy implements Intake<String> {
-        private final Backlog<String> backlog = new Backlog<>(8);
+        private final PlainQueue<String> backlog = new PlainQueue<>(8);
 
         @Override
         public Admission offer(String occurrence) {

@@ -31,7 +31,7 @@ final class Caller {
 
     /** Extracts a value from an answer. */
     interface Use<T> {
-        T of(Reply reply) throws IOException;
+        T of(ReceivedReply reply) throws IOException;
     }
 
     /**
@@ -67,11 +67,11 @@ final class Caller {
         Limit left = new Limit(limit);
         try (SocketChannel channel = SocketChannel.open();
                 Socket socket = connected(channel, call, left)) {
-            Reply reply;
+            ReceivedReply reply;
             try {
                 socket.getOutputStream().write(call.bytes());
                 socket.getOutputStream().flush();
-                reply = Reply.read(left.of(socket));
+                reply = ReceivedReply.read(left.of(socket));
                 if (call.accepts(reply.status())) {
                     return use.of(reply);
                 }

@@ -174,7 +174,7 @@ public class HttpExecute extends EventExecute implements DeviceLink {
     }
 
     private String ask(HttpCall asked) throws IOException, InterruptedException {
-        return health.noting(() -> caller.call(asked, Reply::body));
+        return health.noting(() -> caller.call(asked, ReceivedReply::body));
     }
 
     @Override

@@ -193,7 +193,7 @@ public class HttpPoll extends PushMonitor implements DeviceLink, AutoCloseable {
     private void look() throws InterruptedException {
         turn.lockInterruptibly();
         try {
-            String answer = health.noting(() -> caller.call(question, Reply::body));
+            String answer = health.noting(() -> caller.call(question, ReceivedReply::body));
             readings.hear("", answer);
             reports.forEach(report -> report.hear(answer));
             hearState(answer);

@@ -258,7 +258,7 @@ class HttpExecuteTest {
 
     private String body(String answer) throws IOException, InterruptedException {
         raw = answer;
-        return new Caller(Lamp.PATIENCE).call(HttpCall.get(address("")), Reply::body);
+        return new Caller(Lamp.PATIENCE).call(HttpCall.get(address("")), ReceivedReply::body);
     }
 
     @Test
@@ -268,9 +268,9 @@ class HttpExecuteTest {
         assertThat(body("HTTP/1.1 100 Continue\r\n\r\nHTTP/1.1 201 Made\r\nTransfer-Encoding: chunked\r\n\r\n"
                         + "5;x=y\r\nhello\r\n1\r\n!\r\n0\r\n\r\n"))
                 .isEqualTo("hello!");
-        assertThat(body("HTTP/1.1 200 OK\r\n\r\n" + "x".repeat(1_000_000))).hasSize(Reply.LONGEST_BODY);
+        assertThat(body("HTTP/1.1 200 OK\r\n\r\n" + "x".repeat(1_000_000))).hasSize(ReceivedReply.LONGEST_BODY);
         assertThat(body("HTTP/1.1 200 OK\r\nTransfer-Encoding: chunked\r\n\r\nF4240\r\n" + "x".repeat(1_000_000)))
-                .hasSize(Reply.LONGEST_BODY);
+                .hasSize(ReceivedReply.LONGEST_BODY);
         assertThat(heard).hasSize(5).containsOnly("GET /");
     }
 
@@ -292,7 +292,7 @@ class HttpExecuteTest {
     @Test
     void aDeviceWithoutTheTlsThatIsWantedIsNotReached() {
         assertThatThrownBy(() -> new Caller(Duration.ofSeconds(5))
-                        .call(HttpCall.get(address("").replace("http:", "https:")), Reply::body))
+                        .call(HttpCall.get(address("").replace("http:", "https:")), ReceivedReply::body))
                 .isNotInstanceOf(UnansweredException.class)
                 .hasMessageContaining("cannot be sent: the device cannot be reached");
     }

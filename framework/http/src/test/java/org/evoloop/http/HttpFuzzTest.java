@@ -83,9 +83,9 @@ class HttpFuzzTest {
     @FuzzTest
     void anAnswerOfAnyBytesIsUnderstoodOrRefused(byte[] bytes) {
         try {
-            Reply reply = Reply.read(new ByteArrayInputStream(bytes));
+            ReceivedReply reply = ReceivedReply.read(new ByteArrayInputStream(bytes));
             assertThat(reply.status()).isBetween(200, 599);
-            assertThat(reply.body()).hasSizeLessThanOrEqualTo(Reply.LONGEST_BODY);
+            assertThat(reply.body()).hasSizeLessThanOrEqualTo(ReceivedReply.LONGEST_BODY);
         } catch (IOException refused) {
             assertThat(refused).hasMessageStartingWith("the answer");
         }

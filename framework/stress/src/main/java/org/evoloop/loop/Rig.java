@@ -122,11 +122,11 @@ final class Rig implements LoopListener<Object> {
 
     /** A queue that counts the completed cycles. */
     static final class Counting implements Intake<Object> {
-        private final Backlog<Object> backlog;
+        private final PlainQueue<Object> backlog;
         final AtomicInteger ends = new AtomicInteger();
 
         Counting(int capacity) {
-            backlog = new Backlog<>(capacity);
+            backlog = new PlainQueue<>(capacity);
         }
 
         @Override

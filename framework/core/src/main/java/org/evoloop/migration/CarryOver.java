@@ -17,14 +17,14 @@ import org.evoloop.statemachine.StateMachine;
  *
  * <p>Threading: immutable.
  */
-final class Belongings {
+final class CarryOver {
     private final DecisionTable running;
     private final Timers runningTimers;
     private final DecisionTable next;
     private final Timers nextTimers;
     private final Mapping mapping;
 
-    Belongings(DecisionTable running, Timers runningTimers, DecisionTable next, Timers nextTimers, Mapping mapping) {
+    CarryOver(DecisionTable running, Timers runningTimers, DecisionTable next, Timers nextTimers, Mapping mapping) {
         this.running = running;
         this.runningTimers = runningTimers;
         this.next = next;

@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
  * may wait for long, so they never take up the places of those that need not wait for another state, among which may be
  * the one that leads there.
  */
-final class Line {
+final class Mailbox {
     /**
      * How many more places than the capacity there are for facts, and for events of timers and functions; and how many
      * there are for urgent events.
@@ -46,7 +46,7 @@ final class Line {
      * @param deferred whether the present state defers an occurrence
      * @param urgent whether an occurrence is urgent
      */
-    Line(Snapshot snapshot, Counts counts, Predicate<Pending> deferred, Predicate<Pending> urgent) {
+    Mailbox(Snapshot snapshot, Counts counts, Predicate<Pending> deferred, Predicate<Pending> urgent) {
         this.counts = counts;
         this.deferred = deferred;
         this.urgent = urgent;

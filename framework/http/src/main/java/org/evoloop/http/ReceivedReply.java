@@ -15,7 +15,7 @@ import java.util.Locale;
  *
  * @param length of the body; {@link #CHUNKED} or {@link #TO_THE_END} if it is not given
  */
-record Reply(int status, long length, InputStream rest) {
+record ReceivedReply(int status, long length, InputStream rest) {
     static final int LONGEST_BODY = 65_536;
 
     private static final int LONGEST_LINE = 8_192;
@@ -24,16 +24,16 @@ record Reply(int status, long length, InputStream rest) {
     private static final long CHUNKED = -1;
     private static final long TO_THE_END = -2;
 
-    static Reply read(InputStream stream) throws IOException {
+    static ReceivedReply read(InputStream stream) throws IOException {
         InputStream bytes = new BufferedInputStream(stream);
-        Reply reply = head(bytes);
+        ReceivedReply reply = head(bytes);
         while (reply.status() < FINAL) {
             reply = head(bytes);
         }
         return reply;
     }
 
-    private static Reply head(InputStream bytes) throws IOException {
+    private static ReceivedReply head(InputStream bytes) throws IOException {
         String first = line(bytes);
         if (!first.matches("HTTP/1\\.[01] [1-5][0-9]{2}.*")) {
             throw new IOException("the answer is not HTTP");
@@ -51,7 +51,7 @@ record Reply(int status, long length, InputStream rest) {
                 length = Long.parseLong(header.substring("content-length:".length()));
             }
         }
-        return new Reply(Integer.parseInt(first.substring(9, 12)), length, bytes);
+        return new ReceivedReply(Integer.parseInt(first.substring(9, 12)), length, bytes);
     }
 
     private static String line(InputStream bytes) throws IOException {

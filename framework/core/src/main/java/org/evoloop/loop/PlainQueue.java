@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Threading: as {@link Intake}; monitors that report more than there is room for must not hold up the threads that
  * make room, so {@link #atOnce} takes no lock.
  */
-final class Backlog<O> implements Intake<O> {
+final class PlainQueue<O> implements Intake<O> {
     private final int capacity;
     private final ArrayDeque<O> waiting = new ArrayDeque<>();
     // The length of the queue for those who hold no lock. It may be out of date by one: an occurrence that is dropped
@@ -26,7 +26,7 @@ final class Backlog<O> implements Intake<O> {
     private long taken;
     private long refused;
 
-    Backlog(int capacity) {
+    PlainQueue(int capacity) {
         this.capacity = capacity;
     }
 
