@@ -66,7 +66,7 @@ class ScaffoldFromFileTest {
                 headers: {X-Key: "a \\"b\\""}
                 poll: /state
                 every: 500 ms
-              remote: {lines: "unix:///run/remote"}
+              remote: {lines: "serial:///dev/ttyUSB0", baud: 19200}
               panel: {program: [cat], greet: HELLO}
               home: {mqtt: "mqtt://127.0.0.1"}
             device:
@@ -89,6 +89,7 @@ class ScaffoldFromFileTest {
                   - send: switch
                   - wait: 90 s
                   - {to: home, topic: lamp/say, payload: soon over}
+                  - {to: lamp, call: GET /ping}
                   - wait: 30 s
                   - finish: over
                 every: 50 s
@@ -149,8 +150,8 @@ class ScaffoldFromFileTest {
         ScaffoldTest.assertAllPassed(ScaffoldTest.run(ScaffoldTest.compile(project), "ScenariosTest"), 3);
         assertThat(project.resolve("pom.xml"))
                 .content()
-                .contains("evoloop-line<", "evoloop-http<", "evoloop-mqtt<", "evoloop-testkit<")
-                .doesNotContain("evoloop-serial<", "evoloop-device<");
+                .contains("evoloop-line<", "evoloop-serial<", "evoloop-http<", "evoloop-mqtt<", "evoloop-testkit<")
+                .doesNotContain("evoloop-device<");
     }
 
     /** The program takes a press from the device's remote control, sends two lines, and waits for the answer to each. */
