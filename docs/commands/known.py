@@ -294,6 +294,7 @@ KNOWN = [
     typed(f"./evoloop models plan {FAN}", shows="path power, speed"),
     typed("./evoloop models show docs/retrofit.md#new --format svg > new.svg"),
     typed(f"./evoloop models scaffold {FAN} --package com.example.fan --out fan"),
+    typed("./evoloop models scaffold --from devices/fan/fan.yaml --package com.example.fan --out fan-in-java"),
     Known("./mvnw verify", why_not=ELSEWHERE),
     Known("java -jar target/fan.jar", why_not=ELSEWHERE),
     # The robot.

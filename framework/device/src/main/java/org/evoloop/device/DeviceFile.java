@@ -41,6 +41,10 @@ import org.slf4j.LoggerFactory;
 public final class DeviceFile {
     private static final Logger LOG = LoggerFactory.getLogger(DeviceFile.class);
 
+    /** Whatever has one of these keys is a rule, and no short form. */
+    private static final Set<String> RULE_KEYS = Set.of(
+            "from", "values", "event", "state", "line", "topic", "json", "pattern", "ranges", "steady", "contact");
+
     /** What {@link #readAgain} takes over. */
     private static final Set<String> CHANGEABLE =
             Set.of("models", "functions", "guards", "effects", "scenarios", "learn");
@@ -190,7 +194,7 @@ public final class DeviceFile {
     }
 
     /** The events that the device raises by itself. */
-    Set<Event> devicesOwn() {
+    public Set<Event> devicesOwn() {
         Set<Event> own = new LinkedHashSet<>(pair.original().spontaneous());
         models.allDevicesOwn().forEach(event -> own.add(new Event(event)));
         return own;
@@ -244,12 +248,30 @@ public final class DeviceFile {
                 .build();
     }
 
+    /**
+     * The rules under {@code key}, such as {@code state}: a list of them, or one, or, for the only connection, a mapping of
+     * what it reports to names, which is returned as a rule, too.
+     */
+    public static List<Section> rules(Section parent, String key) {
+        Optional<Node> found = parent.any(key);
+        if (found.isPresent()
+                && found.get() instanceof Node.Entries pairs
+                && !pairs.entries().isEmpty()) {
+            Section all = parent.section(key).orElseThrow();
+            boolean isRule = all.keys().stream().map(Node.Text::value).anyMatch(RULE_KEYS::contains);
+            return List.of(isRule ? all : wrapped(all));
+        }
+        return parent.listed(key);
+    }
+
+    private static Section wrapped(Section pairs) {
+        Node.Text values = new Node.Text(pairs.node().line(), "values", true);
+        return new Section(
+                pairs.name(), new Node.Entries(values.line(), Map.of(values, pairs.node())), pairs.problems());
+    }
+
     /** Reads the sections of a file that use its connections. */
     private static final class Reader {
-        /** Whatever has one of these keys is a rule, and no short form. */
-        private static final Set<String> RULE_KEYS = Set.of(
-                "from", "values", "event", "state", "line", "topic", "json", "pattern", "ranges", "steady", "contact");
-
         private final Section file;
         private final FileModels models;
         private final Connections connections;
@@ -364,24 +386,8 @@ public final class DeviceFile {
                             send.problems());
         }
 
-        /** A list of rules; for the only connection, a mapping of what it reports to names is enough. */
         private void rules(Section parent, String key, BiConsumer<Connection, Section> rule) {
-            Optional<Node> found = parent.any(key);
-            if (found.isPresent()
-                    && found.get() instanceof Node.Entries pairs
-                    && !pairs.entries().isEmpty()) {
-                Section all = parent.section(key).orElseThrow();
-                boolean isRule = all.keys().stream().map(Node.Text::value).anyMatch(RULE_KEYS::contains);
-                rule(isRule ? all : wrapped(all), rule);
-                return;
-            }
-            parent.listed(key).forEach(each -> rule(each, rule));
-        }
-
-        private Section wrapped(Section pairs) {
-            Node.Text values = new Node.Text(pairs.node().line(), "values", true);
-            return new Section(
-                    pairs.name(), new Node.Entries(values.line(), Map.of(values, pairs.node())), pairs.problems());
+            DeviceFile.rules(parent, key).forEach(each -> rule(each, rule));
         }
 
         private void rule(Section section, BiConsumer<Connection, Section> rule) {

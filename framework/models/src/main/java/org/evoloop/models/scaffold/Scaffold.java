@@ -30,6 +30,9 @@ public final class Scaffold {
     private static final List<String> CLASSES = List.of(
             "Main", "Models", "Conditions", "MonitorEvent", "ExecuteCommand", "SimulatedDevice", "KnowledgeState");
 
+    private static final List<String> CLASSES_OF_FILE =
+            List.of("Main", "KnowledgeState", "Connections", "Conditions", "Actions");
+
     /** Maps new states to their classes. */
     private static final String FUNCTIONS = "functions.txt";
 
@@ -47,6 +50,7 @@ public final class Scaffold {
      * @param javaPackage see {@link #requirePackage}
      * @param directory see {@link #requireDirectory}
      * @param properties the text of the properties that the evolution must keep; null if there is none
+     * @param written a device file, which says what is connected; null if only the models are known
      */
     public record Request(
             ModelPair pair,
@@ -55,7 +59,17 @@ public final class Scaffold {
             ModelReference evolved,
             String javaPackage,
             Path directory,
-            @Nullable String properties) {}
+            @Nullable String properties,
+            @Nullable WrittenFile written) {
+
+        /** The same with this text of properties. */
+        public Request withProperties(@Nullable String text) {
+            return new Request(pair, device, original, evolved, javaPackage, directory, text, written);
+        }
+    }
+
+    /** Where Java sources are, with a slash at the end. */
+    private record Folders(String sources, String tests) {}
 
     private Scaffold(Request request) {
         this.request = request;
@@ -133,23 +147,78 @@ public final class Scaffold {
         models();
         wrapper();
         String packageFolder = javaPackage.replace('.', '/') + "/";
-        String sources = "src/main/java/" + packageFolder;
-        values.put("registrations", functions(sources, names) + bindings());
+        Folders folders = new Folders("src/main/java/" + packageFolder, "src/test/java/" + packageFolder);
+        WrittenFile written = request.written();
+        if (written == null) {
+            withSimulation(folders, names);
+        } else {
+            withConnections(written, folders, names);
+        }
         content.text(ProjectDirectory.GENERATED + "/" + FUNCTIONS, names.text(javaPackage));
         file("pom.xml", "pom.xml.txt");
+        file("src/test/resources/logback-test.xml", "logback-test.xml.txt");
+        return project.write(content.files());
+    }
+
+    private void withSimulation(Folders folders, FunctionNames names) {
+        values.put("dependencies", dependency("evoloop-testkit", "test"));
+        values.put("registrations", functions(folders.sources(), names) + bindings());
         file("README.md", "README.md.txt");
         Set<String> guards = guards();
         values.put("guards", guards.stream().map(JavaText::literal).collect(Collectors.joining(", ")));
         values.put("condition", guards.isEmpty() ? "" : Template.text("Condition.java.txt"));
         for (String name : CLASSES) {
-            file(sources + name + ".java", name + ".java.txt");
+            file(folders.sources() + name + ".java", name + ".java.txt");
         }
-        file("src/test/resources/logback-test.xml", "logback-test.xml.txt");
         values.put(
                 "tests",
                 new TestText(new Scenarios(pair, request.device()).all(), !guards.isEmpty()).methods(pair.evolved()));
-        file("src/test/java/" + packageFolder + "TransitionsTest.java", "TransitionsTest.java.txt");
-        return project.write(content.files());
+        file(folders.tests() + "TransitionsTest.java", "TransitionsTest.java.txt");
+    }
+
+    private void withConnections(WrittenFile written, Folders folders, FunctionNames names) {
+        values.put("converter", JavaText.literal(written.file().name()));
+        StringBuilder registrations = new StringBuilder();
+        written.functions().forEach((state, parts) -> {
+            String name = names.of(new State(state));
+            values.putAll(parts);
+            values.put("className", name);
+            values.put("stateComment", JavaText.comment(state));
+            javaFile(folders.sources() + name, "device/Function");
+            function(registrations, state, "new " + name + "(connections)");
+        });
+        written.withoutFunction().forEach(state -> function(registrations, state, "NewFunction.none()"));
+        values.put("registrations", registrations + written.registrations());
+        values.putAll(written.connections());
+        values.put("tests", written.tests());
+        file(folders.sources() + "Models.java", "Models.java.txt");
+        for (String name : CLASSES_OF_FILE) {
+            javaFile(folders.sources() + name, "device/" + name);
+        }
+        javaFile(folders.tests() + "ScenariosTest", "device/ScenariosTest");
+        values.put(
+                "dependencies",
+                written.artifacts().stream()
+                                .map(artifact -> dependency(artifact, "compile"))
+                                .collect(Collectors.joining())
+                        + dependency("evoloop-testkit", "compile"));
+        file("README.md", "device/README.md.txt");
+    }
+
+    private static void function(StringBuilder registrations, String state, String function) {
+        registrations.append("        function(").append(JavaText.literal(state));
+        registrations.append(", ").append(function).append(");\n");
+    }
+
+    private static String dependency(String artifact, String scope) {
+        return Template.fill("dependency.xml.txt", Map.of("artifactId", artifact, "scope", scope));
+    }
+
+    /** A class, with the imports that it turns out to need. */
+    private void javaFile(String path, String template) {
+        values.put("imports", "");
+        values.put("imports", Imports.of(Template.fill(template + ".java.txt", values)));
+        file(path + ".java", template + ".java.txt");
     }
 
     private void file(String path, String template) {
@@ -229,8 +298,7 @@ public final class Scaffold {
                 values.put("say", JavaText.literal(state.name()));
                 values.put("ending", ending(state));
                 file(sources + name + ".java", "Function.java.txt");
-                registrations.append("        function(").append(JavaText.literal(state.name()));
-                registrations.append(", new ").append(name).append("());\n");
+                function(registrations, state.name(), "new " + name + "()");
             }
         }
         return registrations.toString();

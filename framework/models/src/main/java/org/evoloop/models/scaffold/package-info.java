@@ -2,8 +2,8 @@
  * Generates a starter project for a converter. It builds, passes its tests and runs before its owner has written any
  * code.
  *
- * <p>This package may use {@code statemachine}, {@code evolution} and {@code xmi} of the framework. It writes files
- * only below the given directory.
+ * <p>This package may use {@code statemachine}, {@code evolution}, {@code xmi} and {@code device} of the framework. It
+ * writes files only below the given directory.
  */
 @NullMarked
 package org.evoloop.models.scaffold;

@@ -41,7 +41,7 @@ import org.junit.platform.launcher.listeners.TestExecutionSummary;
 
 /** A generated project builds and passes its tests unchanged. */
 class ScaffoldTest {
-    private static final String JAVA_PACKAGE = "com.example.made";
+    static final String JAVA_PACKAGE = "com.example.made";
 
     @TempDir
     private Path directory;
@@ -66,11 +66,11 @@ class ScaffoldTest {
 
     /** Compiles the project, and runs its tests. */
     private TestExecutionSummary test(Path project) throws Exception {
-        return run(compile(project));
+        return run(compile(project), "TransitionsTest");
     }
 
     /** Compiles the project as Maven would. */
-    private static Path compile(Path project) throws IOException {
+    static Path compile(Path project) throws IOException {
         Path classes = Files.createDirectories(project.resolve("target/classes"));
         List<Path> sources;
         try (Stream<Path> files = Files.walk(project.resolve("src"))) {
@@ -102,19 +102,19 @@ class ScaffoldTest {
         return classes;
     }
 
-    private static TestExecutionSummary run(Path classes) throws Exception {
+    static TestExecutionSummary run(Path classes, String test) throws Exception {
         SummaryGeneratingListener listener = new SummaryGeneratingListener();
         try (URLClassLoader loader =
                 new URLClassLoader(new URL[] {classes.toUri().toURL()})) {
             LauncherDiscoveryRequest request = LauncherDiscoveryRequestBuilder.request()
-                    .selectors(selectClass(loader.loadClass(JAVA_PACKAGE + ".TransitionsTest")))
+                    .selectors(selectClass(loader.loadClass(JAVA_PACKAGE + "." + test)))
                     .build();
             LauncherFactory.create().execute(request, listener);
         }
         return listener.getSummary();
     }
 
-    private static void assertAllPassed(TestExecutionSummary summary, int tests) {
+    static void assertAllPassed(TestExecutionSummary summary, int tests) {
         assertThat(summary.getFailures())
                 .as("failures")
                 .extracting(failure -> failure.getTestIdentifier().getDisplayName() + ": " + failure.getException())

@@ -1,0 +1,97 @@
+package org.evoloop.models.scaffold;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.evoloop.device.file.Node;
+import org.evoloop.device.file.Section;
+import org.jspecify.annotations.Nullable;
+
+/** A connection of a device file, in Java: a field of the class {@code Connections}, and what is added to the converter. */
+abstract class WrittenConnection {
+    private final String name;
+    private final String field;
+    private final StringBuilder rules = new StringBuilder();
+    private final Map<String, String> sent = new LinkedHashMap<>();
+
+    WrittenConnection(String name, String field) {
+        this.name = name;
+        this.field = field;
+    }
+
+    /** Null, and noted as a mistake, for a kind that has no counterpart here. */
+    static @Nullable WrittenConnection of(Node.Text name, String field, Section section) {
+        if (section.has("mqtt")) {
+            return new WrittenMqtt(name.value(), field, section);
+        } else if (section.has("http")) {
+            return new WrittenHttp(name.value(), field, section);
+        } else if (section.has("lines") || section.has("program")) {
+            return new WrittenLines(name.value(), field, section);
+        }
+        section.problems()
+                .at(
+                        name,
+                        "connection " + name + " is of a kind that --from does not turn into Java, which are lines,"
+                                + " program, mqtt and http; keep this file, or leave the connection out and add it in Java");
+        return null;
+    }
+
+    final String name() {
+        return name;
+    }
+
+    /** The variable. */
+    final String variable() {
+        return field;
+    }
+
+    /** Adds a call to those that set up its monitor. */
+    final void rule(String call) {
+        rules.append("                ").append(call).append('\n');
+    }
+
+    /** The calls of {@link #rule}; each on a line. */
+    final String rules() {
+        return rules.toString();
+    }
+
+    final void sends(String event, String expression) {
+        sent.put(event, expression);
+    }
+
+    /** What is sent, as a map's expression; empty if nothing is. */
+    final Optional<String> sent() {
+        return sent.isEmpty() ? Optional.empty() : Optional.of(WrittenConnections.map(sent));
+    }
+
+    /** The key of what is sent in a short form. */
+    abstract String shortSend();
+
+    /** The artifacts that it takes. */
+    abstract List<String> artifacts();
+
+    /** The declaration of its field. */
+    abstract String field();
+
+    /** Creates it, in the constructor. */
+    abstract String creation();
+
+    /** Adds it to the converter. */
+    abstract String adding();
+
+    abstract void send(String event, Section how);
+
+    abstract void state(Section rule);
+
+    /** @param method of a monitor: {@code controller} or {@code device} */
+    abstract void events(Section rule, String method);
+
+    abstract void reading(String reading, Section rule);
+
+    /** What the section {@code device} says about all that is sent. */
+    abstract void device(Section device);
+
+    /** What an action does, as an expression of the class {@code Connections} named {@code connections}. */
+    abstract String outside(Section action, String values);
+}
