@@ -282,10 +282,6 @@ KNOWN = [
     typed("./evoloop check devices/wifi-roomba/wifi-roomba.yaml", shows="passed: a stop is resumed"),
     typed("./evoloop new bedroom-light --from zigbee-bulb", shows="wrote bedroom-light/bedroom-light.yaml"),
     Known("./evoloop check devices/NAME/NAME.yaml", run="./evoloop check devices/fan/fan.yaml"),
-    Known(
-        "openssl s_client -connect roomba.local:8883 </dev/null | openssl x509 -noout -fingerprint -sha256",
-        why_not="needs the robot",
-    ),
     typed("./evoloop models check models/README.md#original models/README.md#new"),
     typed("./evoloop models check README.md#original README.md#new"),
     typed("./evoloop models show models/roomba.xml --format mermaid > roomba.md"),
