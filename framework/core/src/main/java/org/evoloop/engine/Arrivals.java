@@ -196,8 +196,8 @@ final class Arrivals {
         if (ledger.progress.isInterrupted() && mayResume(ledger.progress.pending())) {
             return ledger.progress.pending();
         }
-        boolean owed =
-                ledger.followOwed && ledger.mailbox.first(pending -> pending.hasHappened() && mayBegin(pending)) == null;
+        boolean owed = ledger.followOwed
+                && ledger.mailbox.first(pending -> pending.hasHappened() && mayBegin(pending)) == null;
         return owed ? finding(0) : ledger.mailbox.first(this::mayBegin);
     }
 
