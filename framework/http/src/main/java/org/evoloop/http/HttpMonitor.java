@@ -27,9 +27,9 @@ import org.jspecify.annotations.Nullable;
  * values, as numbers if they look like numbers. So is the body, as a text named {@code body}, of at most 4096 bytes.
  * The answer to the controller's requests is the outcome of the event in words, with the status 200 if it was handled, 409
  * if not, and 202 if that is not known after 10 s; a request with the header {@code Prefer: respond-async} is answered
- * with 202 once the event waits. The answer to the device's requests, and where a fleet decides, is 204. At most 32 requests are handled at a time;
- * further ones are disconnected, and so are clients that have not sent everything within 10 s. Requests from pages of
- * other sites are refused.
+ * with 202 once the event waits. The answer to the device's requests, and where a fleet decides, is 204. At most 32
+ * requests are handled at a time; further ones are disconnected, and so are clients that have not sent everything within
+ * 10 s. Requests from pages of other sites are refused.
  *
  * <p>Lifecycle: set all requests, then {@link #open}; {@link #close}.
  *

@@ -102,7 +102,6 @@ final class TopicRules {
         private final Steady steady;
         private final Use use;
         private final Consumer<Meanings.Meaning> then;
-        private String now = "";
         private @Nullable String last;
         private Clock.@Nullable Timer timer;
 
@@ -120,19 +119,18 @@ final class TopicRules {
 
         /** Another topic says that the device is in this state. */
         synchronized void endUnless(Meanings.Meaning state) {
-            if (!now.isEmpty() && !now.equals(state.name())) {
+            if (steady.isOther(state)) {
                 noted(Optional.empty());
             }
         }
 
         /** The meaning if it has held for long enough; else a timer looks again. */
         private synchronized Optional<Meanings.Meaning> noted(Optional<Meanings.Meaning> now) {
-            this.now = now.map(Meanings.Meaning::name).orElse("");
             steady.see(now);
             if (timer != null) {
                 timer.cancel();
             }
-            String name = this.now;
+            String name = now.map(Meanings.Meaning::name).orElse("");
             if (name.isEmpty() || last == null) {
                 // What holds from the beginning has not begun now.
                 last = name;

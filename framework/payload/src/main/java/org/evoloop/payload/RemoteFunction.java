@@ -30,7 +30,7 @@ public final class RemoteFunction implements NewFunction {
     private static final Duration PAUSE = Duration.ofMillis(250);
 
     private final Channel channel;
-    private volatile @Nullable Part current;
+    private volatile @Nullable Session current;
 
     /**
      * How a program is reached.
@@ -83,17 +83,17 @@ public final class RemoteFunction implements NewFunction {
         channel.listen(new Listener() {
             @Override
             public void heard(String verb, String json) {
-                Part part = current;
-                if (part != null) {
-                    part.hear(verb, json);
+                Session session = current;
+                if (session != null) {
+                    session.hear(verb, json);
                 }
             }
 
             @Override
             public void lost(String why) {
-                Part part = current;
-                if (part != null) {
-                    part.lost(why);
+                Session session = current;
+                if (session != null) {
+                    session.lost(why);
                 }
             }
         });
@@ -101,19 +101,19 @@ public final class RemoteFunction implements NewFunction {
 
     @Override
     public void run(Visit visit) {
-        Part part = new Part(visit);
-        current = part;
-        visit.onEnd(part::end);
-        part.start();
+        Session session = new Session(visit);
+        current = session;
+        visit.onEnd(session::end);
+        session.start();
     }
 
-    /** The program's part in a visit. */
-    private final class Part {
+    /** What the program and a visit have to say to each other. */
+    private final class Session {
         private final Visit visit;
         private boolean started;
         private boolean over;
 
-        Part(Visit visit) {
+        Session(Visit visit) {
             this.visit = visit;
         }
 

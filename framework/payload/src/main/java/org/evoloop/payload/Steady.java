@@ -38,6 +38,11 @@ public final class Steady {
         return meaning.name().equals(held) && leftNanos() <= 0;
     }
 
+    /** Whether the messages mean something else. */
+    public synchronized boolean isOther(Meanings.Meaning meaning) {
+        return held != null && !held.equals(meaning.name());
+    }
+
     /** How long the meaning of the newest message must still hold. */
     public synchronized Duration left() {
         return Duration.ofNanos(Math.max(0, leftNanos()));

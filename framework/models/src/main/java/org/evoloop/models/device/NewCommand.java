@@ -12,6 +12,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
+import java.util.function.Predicate;
 import java.util.regex.Matcher;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -125,17 +126,11 @@ final class NewCommand implements Callable<Integer> {
         Path devices = ModelFiles.find("devices/fan/fan.yaml", NewCommand.class)
                 .resolveSibling("..")
                 .normalize();
-        List<Path> all;
-        try (Stream<Path> listed = Files.list(devices)) {
-            all = listed.filter(Files::isDirectory).sorted().toList();
-        }
-        List<String> names =
-                all.stream().map(path -> path.getFileName().toString()).toList();
+        List<String> names = listed(devices, Files::isDirectory).stream()
+                .map(path -> path.getFileName().toString())
+                .toList();
         require(names.contains(device), "there is no device '" + device + "'" + Names.hint(device, names));
-        List<Path> files;
-        try (Stream<Path> listed = Files.list(devices.resolve(device))) {
-            files = listed.filter(Files::isRegularFile).sorted().toList();
-        }
+        List<Path> files = listed(devices.resolve(device), Files::isRegularFile);
         Files.createDirectory(folder);
         String toDevices = folder.toAbsolutePath().normalize().relativize(devices.toAbsolutePath()) + "/";
         for (Path file : files) {
@@ -148,6 +143,12 @@ final class NewCommand implements Callable<Integer> {
                     folder.resolve(
                             isDeviceFile ? name + ".yaml" : file.getFileName().toString()),
                     isDeviceFile ? text.replaceFirst("(?m)^converter: .*$", "converter: " + name) : text);
+        }
+    }
+
+    private static List<Path> listed(Path folder, Predicate<Path> wanted) throws IOException {
+        try (Stream<Path> all = Files.list(folder)) {
+            return all.filter(wanted).sorted().toList();
         }
     }
 
