@@ -213,7 +213,7 @@ class SectionsTest {
     void whatFollowsFromAMissingConnectionIsNotSaidToo() {
         String text = """
                 converter: x
-                connections: {a: {mqtt: "mqtt://a", command-topic: a}, panel: {program: [cat]}}
+                connections: {broker: {mqtt: "mqtt://a", command-topic: a}, panel: {program: [cat]}}
                 device:
                   send: {power: {payload: P}}
                   confirmed: {within: 1 s}
@@ -222,7 +222,7 @@ class SectionsTest {
                 .satisfies(refused -> assertThat(refused.getMessage().lines())
                         .singleElement()
                         .asString()
-                        .endsWith("lamp.yaml:4: device.send.power needs to, the name of a connection; there is a, panel"));
+                        .endsWith("lamp.yaml:4: device.send.power needs to, the name of a connection; there is broker, panel"));
     }
 
     @Test
