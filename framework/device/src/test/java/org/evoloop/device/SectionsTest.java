@@ -219,10 +219,12 @@ class SectionsTest {
                   confirmed: {within: 1 s}
                 """;
         assertThatThrownBy(() -> read(text))
-                .satisfies(refused -> assertThat(refused.getMessage().lines())
-                        .singleElement()
-                        .asString()
-                        .endsWith("lamp.yaml:4: device.send.power needs to, the name of a connection; there is broker, panel"));
+                .satisfies(
+                        refused -> assertThat(refused.getMessage().lines())
+                                .singleElement()
+                                .asString()
+                                .endsWith(
+                                        "lamp.yaml:4: device.send.power needs to, the name of a connection; there is broker, panel"));
     }
 
     @Test
