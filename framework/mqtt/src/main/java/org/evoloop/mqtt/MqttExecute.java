@@ -196,8 +196,6 @@ public class MqttExecute extends EventExecute {
         requireUp("the question for its state");
         long left =
                 awaited.isEmpty() ? 0 : Math.max(0, untilNanos - device.clock().nanoTime());
-        String answer = answers.ask(asked.message(), awaited, Duration.ofNanos(left), asked.limit());
-        settle();
-        return Optional.of(answer);
+        return Optional.of(answers.ask(asked.message(), awaited, Duration.ofNanos(left), asked.limit(), this::settle));
     }
 }

@@ -60,7 +60,7 @@ final class Reports {
     Reports(MqttDevice device) {
         this.device = device;
         // Before a monitor, so that a step is over before its result is found.
-        this.rules = new TopicRules(device.clock(), device.connection()::subscribeFirst);
+        this.rules = new TopicRules(device.clock(), device.connection().turns(), device.connection()::subscribeFirst);
         device.onLost(why -> fail(current, why));
     }
 
@@ -99,12 +99,14 @@ final class Reports {
      *
      * @param wanted the state that counts whenever it is reported
      * @param from when others count, too; then the newest does, if one has been reported
+     * @param then run when it is answered, before anybody else hears of it
      * @throws UnknownEffectException if there is none within the limit, or the device is lost meanwhile
      */
-    String ask(Message question, String wanted, Duration from, Duration limit)
+    String ask(Message question, String wanted, Duration from, Duration limit, Runnable then)
             throws UnknownEffectException, InterruptedException {
-        Wait wait = new Wait(wanted, () -> {});
-        Clock.Timer later = device.clock().schedule(from, wait::takeAny);
+        Wait wait = new Wait(wanted, then);
+        Clock.Timer later =
+                device.clock().schedule(from, () -> device.connection().turns().take(wait::takeAny));
         try {
             return await(question, wait, limit, late -> {
                 if (!wait.isAboutToTakeOne()) {
