@@ -2,6 +2,7 @@ package org.evoloop.models.scaffold;
 
 import static org.evoloop.models.scaffold.JavaText.literal;
 
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -137,6 +138,16 @@ final class WrittenConnections {
 
     private String join(Function<WrittenConnection, String> part) {
         return byName.values().stream().map(part).collect(Collectors.joining());
+    }
+
+    /** What a file holds that {@code section} names; it is read where it is. */
+    static String secret(Section section, Node.Text file) {
+        Path named = section.problems()
+                .file()
+                .toAbsolutePath()
+                .resolveSibling(file.value())
+                .normalize();
+        return "Secret.read(Path.of(" + literal(named.toString()) + "))";
     }
 
     /** {@code Map.ofEntries(...)} in the order given. */

@@ -28,13 +28,18 @@ final class WrittenHttp extends WrittenConnection {
                 .append('(')
                 .append(literal(base + words[1]))
                 .append(words[0].equals("GET") ? ")" : ", " + literal(body) + ")");
-        section.pairs("headers")
-                .forEach((name, value) -> call.append(".header(")
-                        .append(literal(name.value()))
-                        .append(", ")
-                        .append(literal(value.value()))
-                        .append(')'));
+        section.pairs("headers").forEach((name, value) -> header(call, name, literal(value.value())));
+        section.pairs("header-files")
+                .forEach((name, file) -> header(call, name, WrittenConnections.secret(section, file)));
         return call.toString();
+    }
+
+    private static void header(StringBuilder call, Node.Text name, String value) {
+        call.append(".header(")
+                .append(literal(name.value()))
+                .append(", ")
+                .append(value)
+                .append(')');
     }
 
     private String call(Section how) {

@@ -71,12 +71,7 @@ final class WrittenMqtt extends WrittenConnection {
         String address = "BrokerAddress.parse("
                 + literal(section.need("mqtt").orElseThrow().value()) + ")";
         String password = section.text("password-file")
-                .map(file -> section.problems()
-                        .file()
-                        .toAbsolutePath()
-                        .resolveSibling(file.value())
-                        .normalize())
-                .map(file -> ".withPassword(Secret.read(Path.of(" + literal(file.toString()) + ")))")
+                .map(file -> ".withPassword(" + WrittenConnections.secret(section, file) + ")")
                 .orElse("");
         return "        " + variable() + " = new BrokerConnection(\n                " + address + password + ", "
                 + literal("evoloop-" + name() + "-") + " + ProcessHandle.current().pid());\n";
