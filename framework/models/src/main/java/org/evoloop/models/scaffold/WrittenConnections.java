@@ -13,9 +13,11 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.evoloop.device.DeviceFile;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
+import org.jspecify.annotations.Nullable;
 
 /** Writes the connections of a device file in Java. The file has been read before, and has no mistakes. */
 final class WrittenConnections {
@@ -27,6 +29,7 @@ final class WrittenConnections {
     private final Set<String> artifacts = new LinkedHashSet<>();
     private final Set<String> helpers = new TreeSet<>();
     private final Map<String, String> commands = new LinkedHashMap<>();
+    private @Nullable WrittenConnection confirming;
 
     /** @param file of which a connection that has no counterpart here is noted as a mistake */
     WrittenConnections(Section file) {
@@ -60,6 +63,13 @@ final class WrittenConnections {
         DeviceFile.rules(device, "state").forEach(rule -> named(rule, "from").state(rule));
         DeviceFile.rules(device, "does").forEach(rule -> named(rule, "from").events(rule, "device"));
         device.named("readings").forEach((name, rule) -> named(rule, "from").reading(name.value(), rule));
+        confirming = device.section("confirmed")
+                .flatMap(confirmed -> confirmed.text("from"))
+                .map(from -> byName.get(from.value()))
+                .orElse(null);
+        if (confirming != null) {
+            byName.values().forEach(each -> each.confirmedBy(confirming));
+        }
         byName.values().forEach(each -> each.device(device));
     }
 
@@ -127,9 +137,16 @@ final class WrittenConnections {
         Map<String, String> values = new LinkedHashMap<>();
         values.put("fields", join(WrittenConnection::field));
         values.put("constructor", join(WrittenConnection::creation));
-        String adding = join(WrittenConnection::adding);
+        // The one that confirms is there before what it confirms.
+        String adding = Stream.concat(Stream.ofNullable(confirming), byName.values().stream())
+                .distinct()
+                .map(WrittenConnection::adding)
+                .collect(Collectors.joining());
         if (!commands.isEmpty()) {
-            adding += "        converter.addExecute(new RunExecute(\"RunExecute\", " + map(commands) + "));\n";
+            String run = "new RunExecute(\"RunExecute\", " + map(commands) + ")";
+            adding += confirming == null
+                    ? "        converter.addExecute(" + run + ");\n"
+                    : "        " + confirming.executeVariable() + ".through(" + run + ");\n";
         }
         values.put("adding", adding);
         values.put("methods", helpers.stream().map(Template::text).collect(Collectors.joining()));

@@ -77,7 +77,7 @@ final class WrittenHttp extends WrittenConnection {
     @Override
     String adding() {
         StringBuilder java = new StringBuilder();
-        String execute = variable() + "Execute";
+        String execute = executeVariable();
         String within = WrittenConnections.within(section);
         sent().ifPresent(calls -> java.append("        HttpExecute ")
                 .append(execute)
@@ -89,9 +89,8 @@ final class WrittenHttp extends WrittenConnection {
                 .append(within)
                 .append(")")
                 .append(readyAfter)
-                .append(";\n        converter.addExecute(")
-                .append(execute)
-                .append(");\n"));
+                .append(";\n")
+                .append(addition(execute)));
         String question =
                 section.text("poll").map(path -> call("GET " + path, "")).orElse("");
         if (question.isEmpty()) {
