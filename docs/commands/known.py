@@ -277,6 +277,7 @@ KNOWN = [
     typed("./evoloop check devices/zigbee-bulb/zigbee-bulb.yaml", shows="passed: a double press lights both"),
     typed("./evoloop check devices/washing-machine/washing-machine.yaml", shows="passed: the laundry is taken out"),
     typed("./evoloop check devices/air-conditioner/air-conditioner.yaml", shows="passed: boost ends after ten minutes"),
+    typed("./evoloop check devices/octoprint/octoprint.yaml", shows="passed: without filament it waits for half an hour"),
     typed("./evoloop check devices/valetudo/valetudo.yaml", shows="passed: a spot is cleaned, and then it docks"),
     typed("./evoloop check devices/roller-shutter/roller-shutter.yaml", shows="passed: the child lock"),
     typed("./evoloop check devices/wifi-roomba/wifi-roomba.yaml", shows="passed: a stop is resumed"),

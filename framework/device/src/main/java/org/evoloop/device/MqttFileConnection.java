@@ -13,6 +13,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.evoloop.config.Secret;
+import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
@@ -45,6 +46,8 @@ final class MqttFileConnection extends Connection {
     private final Map<String, RemoteFunction> functions = new ConcurrentHashMap<>();
     private final Map<String, String> functionTopics = new LinkedHashMap<>();
     private boolean sends;
+    private boolean confirmsAll;
+    private volatile @Nullable MqttExecute execute;
     private boolean infers;
     private volatile @Nullable BrokerConnection opened;
 
@@ -181,17 +184,30 @@ final class MqttFileConnection extends Connection {
     }
 
     @Override
+    public void confirms(Section confirmed) {
+        confirmsAll = true;
+    }
+
+    @Override
+    public void confirm(EventExecute sender) {
+        requireNonNull(execute).through(sender);
+    }
+
+    @Override
     public void device(Section device) {
-        if (!sends) {
+        if (!sends && !confirmsAll) {
             return;
         }
-        device.section("confirmed").ifPresent(confirmed -> {
-            Duration within = confirmed.duration("within").orElse(Duration.ofSeconds(2));
-            requireStates(confirmed);
-            states.forEach(rule -> duties.add(execute -> execute.confirmedBy(rule.topic(), rule.states(), within)));
-            confirmed.done();
-        });
-        device.section("ask").ifPresent(ask -> {
+        device.section("confirmed")
+                .filter(confirmed -> isFor(confirmed, "from"))
+                .ifPresent(confirmed -> {
+                    Duration within = confirmed.duration("within").orElse(Duration.ofSeconds(2));
+                    requireStates(confirmed);
+                    states.forEach(
+                            rule -> duties.add(execute -> execute.confirmedBy(rule.topic(), rule.states(), within)));
+                    confirmed.done();
+                });
+        device.section("ask").filter(ask -> isFor(ask, "to")).ifPresent(ask -> {
             Duration within = ask.duration("within").orElse(Duration.ofSeconds(2));
             requireStates(ask);
             message(ask)
@@ -253,10 +269,11 @@ final class MqttFileConnection extends Connection {
             monitor.inferring(converter);
         }
         List<MqttExecute> executes = new ArrayList<>();
-        if (!messages.isEmpty()) {
-            MqttExecute execute = new MqttExecute(name() + "Execute", device, messages);
-            duties.forEach(each -> each.accept(execute));
-            executes.add(execute);
+        if (!messages.isEmpty() || confirmsAll) {
+            MqttExecute made = new MqttExecute(name() + "Execute", device, messages);
+            duties.forEach(each -> each.accept(made));
+            executes.add(made);
+            execute = made;
         }
         return new Parts(List.of(monitor), executes, device, connection::open, connection::close);
     }

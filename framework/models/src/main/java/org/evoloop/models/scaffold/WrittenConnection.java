@@ -14,6 +14,7 @@ abstract class WrittenConnection {
     private final String field;
     private final StringBuilder rules = new StringBuilder();
     private final Map<String, String> sent = new LinkedHashMap<>();
+    private @Nullable WrittenConnection confirming;
 
     WrittenConnection(String name, String field) {
         this.name = name;
@@ -59,6 +60,34 @@ abstract class WrittenConnection {
     /** The calls of {@link #rule}; each on a line. */
     final String rules() {
         return rules.toString();
+    }
+
+    /** What is sent over this connection is confirmed by what another one reports, or by this one. */
+    final void confirmedBy(WrittenConnection reporting) {
+        confirming = reporting;
+    }
+
+    /** Whether it confirms what is sent over all connections. */
+    final boolean confirmsAll() {
+        return confirming == this;
+    }
+
+    /** Whether a section of the device is for this connection: it names it with {@code key}, or none. */
+    final boolean isFor(Section section, String key) {
+        return section.text(key).map(named -> named.value().equals(name)).orElse(true);
+    }
+
+    /** The variable of the component that sends. */
+    final String executeVariable() {
+        return field + "Execute";
+    }
+
+    /** Adds a component that sends. */
+    final String addition(String execute) {
+        WrittenConnection other = confirming;
+        return other == null || other == this
+                ? "        converter.addExecute(" + execute + ");\n"
+                : "        " + other.executeVariable() + ".through(" + execute + ");\n";
     }
 
     final void sends(String event, String expression) {

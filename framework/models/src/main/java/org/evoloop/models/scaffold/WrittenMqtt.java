@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
 
@@ -75,12 +76,7 @@ final class WrittenMqtt extends WrittenConnection {
         String address = "BrokerAddress.parse("
                 + literal(section.need("mqtt").orElseThrow().value()) + ")";
         String password = section.text("password-file")
-                .map(file -> section.problems()
-                        .file()
-                        .toAbsolutePath()
-                        .resolveSibling(file.value())
-                        .normalize())
-                .map(file -> ".withPassword(Secret.read(Path.of(" + literal(file.toString()) + ")))")
+                .map(file -> ".withPassword(" + WrittenConnections.secret(section, file) + ")")
                 .orElse("");
         return "        " + variable() + " = new BrokerConnection(\n                " + address + password + ", "
                 + literal("evoloop-" + name() + "-") + " + ProcessHandle.current().pid());\n"
@@ -99,15 +95,14 @@ final class WrittenMqtt extends WrittenConnection {
         java.append("        converter.addMonitor(new MqttMonitor(").append(literal(name()));
         java.append(", ").append(device).append(")\n").append(rules());
         java.append(infers ? "                .inferring(converter));\n" : "        );\n");
-        sent().ifPresent(messages -> java.append("        converter.addExecute(new MqttExecute(")
-                .append(literal(name() + "Execute"))
-                .append(", ")
-                .append(device)
-                .append(", ")
-                .append(messages)
-                .append(")")
-                .append(duties)
-                .append(");\n"));
+        sent().or(() -> confirmsAll() ? Optional.of("Map.of()") : Optional.empty())
+                .map(messages -> "new MqttExecute(" + literal(name() + "Execute") + ", " + device + ", " + messages
+                        + ")" + duties)
+                .map(execute -> confirmsAll()
+                        ? "        MqttExecute " + executeVariable() + " = " + execute + ";\n"
+                                + addition(executeVariable())
+                        : addition(execute))
+                .ifPresent(java::append);
         java.append("        links.add(").append(device).append(");\n");
         java.append("        openings.add(").append(variable()).append("::open);\n");
         java.append("        closings.add(").append(variable()).append("::close);\n");
@@ -143,11 +138,12 @@ final class WrittenMqtt extends WrittenConnection {
     @Override
     void device(Section device) {
         device.section("confirmed")
+                .filter(confirmed -> isFor(confirmed, "from"))
                 .ifPresent(confirmed -> states.forEach(state -> duty(".confirmedBy(" + state.topic() + ", "
                         + state.variable() + ", " + WrittenConnections.within(confirmed) + ")")));
         // The question of another connection has no payload.
         device.section("ask")
-                .filter(ask -> ask.has("payload"))
+                .filter(ask -> ask.has("payload") && isFor(ask, "to"))
                 .ifPresent(ask -> states.forEach(state -> duty(".asking(" + message(ask, payload(ask)) + ", "
                         + state.topic() + ", " + state.variable() + ", " + WrittenConnections.within(ask) + ")")));
         device.duration("ready-after")

@@ -64,6 +64,7 @@ class ScaffoldFromFileTest {
               lamp:
                 http: "http://127.0.0.1:9"
                 headers: {X-Key: "a \\"b\\""}
+                header-files: {X-Secret: key.txt}
                 poll: /state
                 every: 500 ms
               remote: {lines: "serial:///dev/ttyUSB0", baud: 19200}
@@ -131,11 +132,19 @@ class ScaffoldFromFileTest {
 
     private Path lamp(String text) throws IOException {
         Files.writeString(directory.resolve("lamp.md"), MODELS);
+        Files.writeString(directory.resolve("key.txt"), "secret");
         return Files.writeString(directory.resolve("lamp.yaml"), text);
     }
 
     @ParameterizedTest
-    @CsvSource({"fan, 4", "zigbee-bulb, 4", "valetudo, 3", "washing-machine, 4", "wifi-roomba, 4", "air-conditioner, 3"
+    @CsvSource({
+        "fan, 4",
+        "zigbee-bulb, 4",
+        "valetudo, 3",
+        "washing-machine, 4",
+        "wifi-roomba, 4",
+        "air-conditioner, 3",
+        "octoprint, 3"
     })
     void aDevicesScenariosPassInJava(String device, int tests) throws Exception {
         Path project = project(DEVICES.resolve(device).resolve(device + ".yaml"));
