@@ -95,7 +95,8 @@ public class MqttExecute extends EventExecute {
     /**
      * Declares that a topic reports the device's state: a step has been executed when it reports the state to which the
      * step leads. Other reports are left to a monitor. If it does not within the limit, or the device is lost meanwhile,
-     * whether the step had its effect is unknown; it still may have it within the limit again, but no later.
+     * whether the step had its effect is unknown; it still may have it within the limit again, but no later. No report tells
+     * whether a step that leaves the state as it is had an effect, so that is executed when it was published.
      *
      * @param states of the original model, by what the topic says
      * @param limit the time limit from publishing to the report
@@ -158,7 +159,7 @@ public class MqttExecute extends EventExecute {
         requireUp(step.event().toString());
         Duration limit = confirmed;
         try {
-            if (limit == null) {
+            if (limit == null || step.source().equals(step.target())) {
                 command.how().send(step);
                 return;
             }
