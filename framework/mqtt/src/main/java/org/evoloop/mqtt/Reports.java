@@ -85,7 +85,11 @@ final class Reports {
     /** Sends something. */
     @FunctionalInterface
     interface Sending {
-        /** @throws Exception any failure: nothing was sent, unless it is an {@link UnknownEffectException} */
+        /**
+         * Sends it.
+         *
+         * @throws Exception any failure: nothing was sent, unless it is an {@link UnknownEffectException}
+         */
         void send() throws Exception;
     }
 
