@@ -133,6 +133,14 @@ public record Learned(
                         all.stream().map(Edge::soonest).min(Duration::compareTo).orElseThrow();
                 Duration latest =
                         all.stream().map(Edge::latest).max(Duration::compareTo).orElseThrow();
+                String found = all.get(0).heard().shown();
+                if (!found.equals(shown.getOrDefault(machine.next()[state][input], found))) {
+                    // It ended before the learner has told the two states apart.
+                    remarks.add(names.get(state) + " --"
+                            + Answers.name(machine.inputs().get(input)) + "--> " + found
+                            + ": seen, but not looked into");
+                    continue;
+                }
                 Arrow edge = new Arrow(
                         names.get(state),
                         machine.inputs().get(input),
@@ -166,8 +174,10 @@ public record Learned(
                     && machine.outputs()[state][input].equals(edge.heard().output())) {
                 seen.computeIfAbsent(key(machine, state, input), none -> new ArrayList<>())
                         .add(edge);
-                if (edge.target() != node) {
-                    collect(machine, edge.target(), machine.next()[state][input], seen, shown);
+                int next = machine.next()[state][input];
+                String there = edge.target().shown();
+                if (edge.target() != node && shown.getOrDefault(next, there).equals(there)) {
+                    collect(machine, edge.target(), next, seen, shown);
                 }
             }
         });

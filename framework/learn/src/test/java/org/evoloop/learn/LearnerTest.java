@@ -256,6 +256,19 @@ class LearnerTest {
     }
 
     @Test
+    void whateverTheBudgetNoArrowLeadsElsewhereThanTheDeviceShowed() {
+        for (int seconds = 10; seconds < 600; seconds += 10) {
+            LearnSettings tight = new LearnSettings(MINUTE, Duration.ofSeconds(seconds), 1);
+            Learned learned = learn(new Lamp(), LearnRules.NONE, tight, "power", "jam");
+
+            assertThat(learned.edges())
+                    .as(seconds + " s, " + learned.open())
+                    .allMatch(edge -> edge.heard().shown().equals(edge.target().replaceFirst("-[0-9]+$", "")));
+            assertThat(learned.isTested()).isEqualTo(learned.open().isEmpty());
+        }
+    }
+
+    @Test
     void aWordIsRepeatedIfAPersonActsInBetweenButNotForEver() {
         Random random = new Random(1);
         Lamp touched = new Lamp() {

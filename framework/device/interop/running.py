@@ -12,7 +12,7 @@ import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 MODELS_JAR = ROOT / "framework" / "models" / "target" / "evoloop-models.jar"
 LIMIT_S = 60.0
 """Generous for slow machines: nothing takes nearly as long."""
