@@ -26,6 +26,7 @@ module org.evoloop.models {
     requires org.evoloop.learn;
     requires org.evoloop.page;
     requires org.evoloop.service;
+    requires org.evoloop.studio;
     requires org.evoloop.svg;
     requires org.evoloop.xmi;
     requires tools.jackson.databind;
