@@ -25,6 +25,7 @@ module org.evoloop.models {
     requires org.evoloop.journal;
     requires org.evoloop.learn;
     requires org.evoloop.service;
+    requires org.evoloop.studio;
     requires org.evoloop.svg;
     requires org.evoloop.xmi;
     requires tools.jackson.databind;

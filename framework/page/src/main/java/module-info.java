@@ -1,4 +1,5 @@
 /** A running converter in the browser. */
+@SuppressWarnings("module") // which modules there are is not known here
 module org.evoloop.page {
     requires static org.jspecify;
     requires jdk.httpserver;
@@ -7,6 +8,8 @@ module org.evoloop.page {
     requires org.slf4j;
 
     exports org.evoloop.page;
+    exports org.evoloop.page.server to
+            org.evoloop.studio;
 
     uses org.evoloop.page.Document;
 }

@@ -36,12 +36,19 @@ public final class Main {
     }
 
     private static int onTerminal(List<String> arguments) {
-        boolean learns = !arguments.isEmpty() && arguments.get(0).equals("learn");
-        CommandLine commandLine = learns ? learning() : commandLine();
+        String first = arguments.isEmpty() ? "" : arguments.get(0);
+        CommandLine alone = switch (first) {
+            case "learn" -> learning();
+            case "studio" -> new CommandLine(new StudioCommand());
+            default -> null;
+        };
+        CommandLine commandLine = alone == null ? commandLine() : alone;
         // Names may be in any script, whatever the terminal's encoding; files and pipes expect UTF-8.
         commandLine.setOut(new PrintWriter(System.out, true, StandardCharsets.UTF_8));
         commandLine.setErr(new PrintWriter(System.err, true, StandardCharsets.UTF_8));
-        return run(commandLine, (learns ? arguments.subList(1, arguments.size()) : arguments).toArray(String[]::new));
+        return run(
+                commandLine,
+                (alone != null ? arguments.subList(1, arguments.size()) : arguments).toArray(String[]::new));
     }
 
     static CommandLine learning() {

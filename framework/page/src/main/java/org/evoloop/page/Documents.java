@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.ServiceLoader;
 import java.util.function.Supplier;
 import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.page.server.Answer;
+import org.evoloop.page.server.PageServer;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -2,7 +2,6 @@ package org.evoloop.page;
 
 import com.sun.net.httpserver.HttpExchange;
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.PrintStream;
 import java.net.InetAddress;
 import java.net.URI;
@@ -18,6 +17,8 @@ import org.evoloop.converter.HistoryEntry;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.page.drawing.MachineDrawing;
+import org.evoloop.page.server.Answer;
+import org.evoloop.page.server.PageServer;
 import org.evoloop.payload.JsonObject;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
@@ -42,6 +43,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class Page implements AutoCloseable {
     private static final int HISTORY_PAGE = 500;
+    private static final int LONGEST_REQUEST = 4096;
 
     /** The number of newest differences of a shadow that are shown. */
     private static final int DIFFERENCES = 20;
@@ -63,7 +65,7 @@ public final class Page implements AutoCloseable {
         this.converter = console.converters().get(0);
         this.pictures = List.copyOf(pictures);
         this.controls = new Controls(console);
-        this.server = options.isOn() ? new PageServer(options, clock) : null;
+        this.server = options.isOn() ? new PageServer(options.place(), LONGEST_REQUEST, clock) : null;
     }
 
     /**
@@ -119,18 +121,14 @@ public final class Page implements AutoCloseable {
         to.on("GET", "/shadow", this::shadow);
         to.on("GET", "/picture", exchange -> picture(to, exchange));
         to.on("GET", "/controls", exchange -> controls(to, exchange));
-        to.on("POST", "/session", exchange -> session(to, exchange));
+        to.session(() -> controls.offered().toString());
         to.on("POST", "/command", exchange -> command(to, exchange));
         Documents.serve(to, console.converters());
         to.start();
     }
 
     private static void file(PageServer to, String path, String name, String mediaType) {
-        to.on("GET", path, exchange -> {
-            try (InputStream file = Objects.requireNonNull(Page.class.getResourceAsStream(name), name)) {
-                Answer.send(exchange, Answer.OK, mediaType, file.readAllBytes());
-            }
-        });
+        to.file(path, mediaType, () -> Page.class.getResourceAsStream(name));
     }
 
     private synchronized String about() {
@@ -205,7 +203,7 @@ public final class Page implements AutoCloseable {
         if (number >= pictures.size()) {
             Answer.text(exchange, Answer.NOT_FOUND, "there are " + pictures.size() + " pictures");
         } else if (pictures.get((int) number).isPrivate() && !from.gate().isAdmitted(exchange)) {
-            notAdmitted(exchange);
+            Answer.notAdmitted(exchange);
         } else {
             Picture picture = pictures.get((int) number);
             Picture.View view = picture.view().get();
@@ -234,37 +232,19 @@ public final class Page implements AutoCloseable {
         if (from.gate().isAdmitted(exchange)) {
             Answer.json(exchange, controls.offered().toString());
         } else {
-            notAdmitted(exchange);
-        }
-    }
-
-    private static void notAdmitted(HttpExchange exchange) throws IOException {
-        Answer.text(exchange, Answer.NOT_ADMITTED, "this needs the token that the program printed when it started");
-    }
-
-    private void session(PageServer from, HttpExchange exchange) throws IOException {
-        String cookie = from.gate().admit(body(exchange).strip());
-        if (cookie == null) {
-            notAdmitted(exchange);
-        } else {
-            exchange.getResponseHeaders().set("Set-Cookie", cookie);
-            Answer.json(exchange, controls.offered().toString());
+            Answer.notAdmitted(exchange);
         }
     }
 
     private void command(PageServer from, HttpExchange exchange) throws IOException, InterruptedException {
-        String line = body(exchange);
+        String line = PageServer.body(exchange);
         if (!from.gate().isAdmitted(exchange)) {
-            notAdmitted(exchange);
+            Answer.notAdmitted(exchange);
         } else if (line.isBlank() || console.isEnding()) {
             Answer.text(exchange, Answer.BAD_REQUEST, "there is no command, or the program is about to end");
         } else {
             Answer.json(exchange, controls.perform(line).toString());
         }
-    }
-
-    private static String body(HttpExchange exchange) throws IOException {
-        return new String(exchange.getRequestBody().readAllBytes(), StandardCharsets.UTF_8);
     }
 
     /** The address, for tests. */

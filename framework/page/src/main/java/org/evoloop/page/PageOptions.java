@@ -9,6 +9,8 @@ import org.evoloop.config.Mistakes;
 import org.evoloop.config.Option;
 import org.evoloop.config.Options;
 import org.evoloop.config.Settings;
+import org.evoloop.page.server.ServerPlace;
+import org.evoloop.page.server.TokenFile;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -22,6 +24,9 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public record PageOptions(String host, int port, @Nullable Path tokenFile) {
+    private static final String PAGE_OPTION = "--page";
+    private static final String TOKEN_OPTION = "--page-token-file";
+
     private static final Option<PageOptions> PAGE = Option.value(
             "page",
             "[HOST:]PORT",
@@ -58,7 +63,10 @@ public record PageOptions(String host, int port, @Nullable Path tokenFile) {
         if (file != null && settings.get(PAGE).isEmpty()) {
             mistakes.add("--page-token-file goes with --page; give both or neither");
         } else if (file != null) {
-            mistakes.tried("page-token-file", IllegalArgumentException.class::isInstance, new TokenFile(file)::read);
+            mistakes.tried(
+                    "page-token-file",
+                    IllegalArgumentException.class::isInstance,
+                    new TokenFile(TOKEN_OPTION, file)::read);
         }
         settings.get(PAGE)
                 .ifPresent(
@@ -89,6 +97,12 @@ public record PageOptions(String host, int port, @Nullable Path tokenFile) {
         }
         String host = parts.group(1);
         return new PageOptions(host == null ? LOOPBACK : host, Integer.parseInt(parts.group(2)), null);
+    }
+
+    /** Where its server listens. */
+    ServerPlace place() {
+        return new ServerPlace(
+                PAGE_OPTION, host, port, tokenFile == null ? null : new TokenFile(TOKEN_OPTION, tokenFile));
     }
 
     /** Whether there is a page. */

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import org.evoloop.page.server.Answer;
 import org.evoloop.time.Clock;
 import org.evoloop.time.RequestThreads;
 

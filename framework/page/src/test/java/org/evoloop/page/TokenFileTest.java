@@ -10,6 +10,8 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.Map;
 import org.evoloop.config.ConfigException;
+import org.evoloop.page.server.Gate;
+import org.evoloop.page.server.PageServer;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
 import org.junit.jupiter.api.Test;
@@ -27,7 +29,7 @@ class TokenFileTest {
 
     private static String token(PageOptions options) throws IOException {
         try (Clock clock = new SystemClock();
-                PageServer server = new PageServer(options, clock)) {
+                PageServer server = new PageServer(options.place(), 4096, clock)) {
             return server.gate().token();
         }
     }

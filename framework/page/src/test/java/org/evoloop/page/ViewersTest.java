@@ -19,6 +19,7 @@ import java.util.List;
 import java.util.Set;
 import org.awaitility.Awaitility;
 import org.evoloop.HalfRequests;
+import org.evoloop.page.server.PageServer;
 import org.evoloop.time.SystemClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;

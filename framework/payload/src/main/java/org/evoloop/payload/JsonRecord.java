@@ -1,10 +1,12 @@
 package org.evoloop.payload;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
 import org.evoloop.evolution.Values;
 import org.jspecify.annotations.Nullable;
@@ -143,6 +145,11 @@ public final class JsonRecord {
     /** A copy to be written, with more members. */
     public JsonObject copy() {
         return new JsonObject(members);
+    }
+
+    /** The names of all members, in their order. */
+    public Set<String> names() {
+        return Collections.unmodifiableSet(members.keySet());
     }
 
     /** Whether there is a member of that name, possibly null. */

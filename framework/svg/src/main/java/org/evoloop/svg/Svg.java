@@ -1,6 +1,7 @@
 package org.evoloop.svg;
 
 import java.util.Locale;
+import java.util.Map;
 
 /**
  * Builds an SVG picture, one element per line. The background is white, since pages may be dark.
@@ -19,18 +20,49 @@ public final class Svg {
      * @param definitions markers and the like as SVG, ends in a line feed; empty if there are none
      */
     public Svg(String title, double width, double height, double fontSize, String style, String definitions) {
+        begin(title, width, height, fontSize);
+        raw("<style>\n.paper { fill: #fff }\n" + style + "</style>\n");
+        define(definitions);
+        rectangle("paper", 0, 0, width, height, 0);
+    }
+
+    private Svg(String title, double width, double height, double fontSize, String definitions) {
+        begin(title, width, height, fontSize);
+        define(definitions);
+    }
+
+    /** Starts a picture without a style and a background, for a page that has them. */
+    public static Svg unstyled(String title, double width, double height, double fontSize, String definitions) {
+        return new Svg(title, width, height, fontSize, definitions);
+    }
+
+    private void begin(String title, double width, double height, double fontSize) {
         raw("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + pair(width, height) + "\" width=\""
                 + number(width) + "\" height=\"" + number(height)
                 + "\" font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\" font-size=\"" + number(fontSize)
                 + "\">\n");
-        raw("<title>" + escape(title) + "</title>\n<style>\n.paper { fill: #fff }\n" + style + "</style>\n");
+        raw("<title>" + escape(title) + "</title>\n");
+    }
+
+    private void define(String definitions) {
         raw(definitions.isEmpty() ? "" : "<defs>\n" + definitions + "</defs>\n");
-        rectangle("paper", 0, 0, width, height, 0);
     }
 
     /** Opens a group with these CSS classes. */
     public Svg group(String cssClass) {
-        return raw("<g class=\"" + cssClass + "\">\n");
+        return group(cssClass, Map.of());
+    }
+
+    /** Opens a group with these CSS classes and an attribute {@code data-KEY} for each entry. */
+    public Svg group(String cssClass, Map<String, String> data) {
+        StringBuilder attributes = new StringBuilder();
+        data.forEach((key, value) -> attributes
+                .append(" data-")
+                .append(key)
+                .append("=\"")
+                .append(escape(value))
+                .append('"'));
+        return raw("<g class=\"" + cssClass + "\"" + attributes + ">\n");
     }
 
     /** Opens a group with this CSS class, moved by {@code x} and {@code y}. */
@@ -67,7 +99,13 @@ public final class Svg {
 
     /** A path with the attribute {@code d}. */
     public Svg path(String cssClass, String d) {
-        return raw("<path class=\"" + cssClass + "\" d=\"" + d + "\"/>\n");
+        return path(cssClass, d, "");
+    }
+
+    /** A path that ends with a marker; empty for none. */
+    public Svg path(String cssClass, String d, String marker) {
+        String end = marker.isEmpty() ? "" : " marker-end=\"" + marker + "\"";
+        return raw("<path class=\"" + cssClass + "\" d=\"" + d + "\"" + end + "/>\n");
     }
 
     /** One line of text; {@code y} is its baseline. */

@@ -56,7 +56,8 @@ public final class Drawing {
         return where.file().isEmpty() ? file + ", " + where : where.toString();
     }
 
-    private Optional<Place> find(Element element) {
+    /** Where {@code element} is, as far as that is known. */
+    public Optional<Place> find(Element element) {
         if (element instanceof Element.OfState of) {
             return state(of.state()).map(Vertex::place);
         }
@@ -68,7 +69,8 @@ public final class Drawing {
                 : Optional.empty();
     }
 
-    private Optional<Vertex> state(State flat) {
+    /** The drawn state; of several that are active, the first. */
+    public Optional<Vertex> state(State flat) {
         return leaves(flat).stream().findFirst();
     }
 
@@ -83,7 +85,7 @@ public final class Drawing {
     /**
      * The transition that leaves the state or an enclosing state, innermost first; else any transition with the event.
      */
-    private Optional<Arc> transition(Transition flat) {
+    public Optional<Arc> transition(Transition flat) {
         String event = flat.event().name();
         for (Vertex leaf : leaves(flat.source())) {
             for (String key = leaf.key(); !key.isEmpty(); key = index.parentKey(key)) {

@@ -2,6 +2,7 @@ package org.evoloop.models.diagram;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Function;
 import org.evoloop.models.chart.ArcLabel;
 import org.evoloop.models.chart.StateLabel;
@@ -20,12 +21,36 @@ import org.evoloop.statechart.Vertex.Pseudostate;
 public final class ChartDiagram {
     private final Function<Vertex, Tone> vertexTone;
     private final Function<Arc, Tone> arcTone;
+    private final Data data;
     private final List<Edge> edges = new ArrayList<>();
     private int regions;
 
-    private ChartDiagram(Function<Vertex, Tone> vertexTone, Function<Arc, Tone> arcTone) {
+    /** What a program wants to know of the elements. */
+    public interface Data {
+        /** There is nothing. */
+        Data NONE = new Data() {
+            @Override
+            public Map<String, String> of(Vertex vertex) {
+                return Map.of();
+            }
+
+            @Override
+            public Map<String, String> of(Arc arc) {
+                return Map.of();
+            }
+        };
+
+        /** Of a vertex. */
+        Map<String, String> of(Vertex vertex);
+
+        /** Of a transition. */
+        Map<String, String> of(Arc arc);
+    }
+
+    private ChartDiagram(Function<Vertex, Tone> vertexTone, Function<Arc, Tone> arcTone, Data data) {
         this.vertexTone = vertexTone;
         this.arcTone = arcTone;
+        this.data = data;
     }
 
     /** The diagram of {@code chart} without tones. */
@@ -35,7 +60,13 @@ public final class ChartDiagram {
 
     /** The diagram of {@code chart} with a tone for each element. */
     public static Diagram of(Statechart chart, Function<Vertex, Tone> vertexTone, Function<Arc, Tone> arcTone) {
-        ChartDiagram builder = new ChartDiagram(vertexTone, arcTone);
+        return of(chart, vertexTone, arcTone, Data.NONE);
+    }
+
+    /** The diagram of {@code chart} with a tone for each element, and what a program wants to know of it. */
+    public static Diagram of(
+            Statechart chart, Function<Vertex, Tone> vertexTone, Function<Arc, Tone> arcTone, Data data) {
+        ChartDiagram builder = new ChartDiagram(vertexTone, arcTone, data);
         List<Node> nodes = chart.regions().size() == 1
                 ? builder.nodes(chart.regions().get(0))
                 : chart.regions().stream().map(builder::region).toList();
@@ -48,11 +79,12 @@ public final class ChartDiagram {
     }
 
     private Node region(Region region) {
-        return new Node("region " + ++regions, Shape.REGION, region.name(), List.of(), nodes(region), Tone.PLAIN);
+        return new Node(
+                "region " + ++regions, Shape.REGION, region.name(), List.of(), nodes(region), Tone.PLAIN, Map.of());
     }
 
     private void edge(Arc arc) {
-        edges.add(new Edge(arc.source(), arc.target(), ArcLabel.of(arc), arcTone.apply(arc)));
+        edges.add(new Edge(arc.source(), arc.target(), ArcLabel.of(arc), arcTone.apply(arc), data.of(arc)));
     }
 
     private Node node(Vertex vertex) {
@@ -60,7 +92,14 @@ public final class ChartDiagram {
             return state(state);
         }
         Shape shape = vertex instanceof Pseudostate pseudostate ? shape(pseudostate.kind()) : Shape.FINAL;
-        return Node.of(vertex.key(), shape, StateLabel.beside(vertex), vertexTone.apply(vertex));
+        return new Node(
+                vertex.key(),
+                shape,
+                StateLabel.beside(vertex),
+                List.of(),
+                List.of(),
+                vertexTone.apply(vertex),
+                data.of(vertex));
     }
 
     private Node state(ChartState state) {
@@ -72,7 +111,13 @@ public final class ChartDiagram {
             state.regions().forEach(region -> children.add(region(region)));
         }
         return new Node(
-                state.key(), Shape.STATE, state.name(), StateLabel.belowName(state), children, vertexTone.apply(state));
+                state.key(),
+                Shape.STATE,
+                state.name(),
+                StateLabel.belowName(state),
+                children,
+                vertexTone.apply(state),
+                data.of(state));
     }
 
     private static Shape shape(Vertex.Kind kind) {

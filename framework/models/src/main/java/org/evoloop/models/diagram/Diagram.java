@@ -1,6 +1,7 @@
 package org.evoloop.models.diagram;
 
 import java.util.List;
+import java.util.Map;
 
 /**
  * What to draw of one state machine, before layout.
@@ -23,16 +24,24 @@ public record Diagram(String title, List<Node> nodes, List<Edge> edges) {
      * @param name shown inside states, below other shapes, and not at initial pseudostates
      * @param notes the lines of a state's second compartment: behaviors and internal transitions
      * @param children the nodes inside; for an orthogonal state its regions
+     * @param data what a program wants to know of it, by names such as {@code line}; only a plain picture has it
      */
-    public record Node(String key, Shape shape, String name, List<String> notes, List<Node> children, Tone tone) {
+    public record Node(
+            String key,
+            Shape shape,
+            String name,
+            List<String> notes,
+            List<Node> children,
+            Tone tone,
+            Map<String, String> data) {
         public Node {
             notes = List.copyOf(notes);
             children = List.copyOf(children);
         }
 
-        /** A node without children. */
-        public static Node of(String key, Shape shape, String name, Tone tone) {
-            return new Node(key, shape, name, List.of(), List.of(), tone);
+        /** The same node with other nodes inside. */
+        public Node with(List<Node> inside) {
+            return new Node(key, shape, name, notes, inside, tone, data);
         }
     }
 
@@ -42,8 +51,9 @@ public record Diagram(String title, List<Node> nodes, List<Edge> edges) {
      * @param source key of a node
      * @param target key of a node
      * @param label may be empty
+     * @param data as for a node
      */
-    public record Edge(String source, String target, String label, Tone tone) {}
+    public record Edge(String source, String target, String label, Tone tone, Map<String, String> data) {}
 
     /** UML's notation for a node. */
     public enum Shape {

@@ -81,6 +81,11 @@ final class ElkLayout {
                 .orElseThrow();
     }
 
+    /** The layout in one direction, so that a picture does not turn while its machine is edited. */
+    static Layout of(Diagram diagram, boolean down) {
+        return arrange(diagram, down ? Direction.DOWN : Direction.RIGHT);
+    }
+
     /**
      * ELK fails on some nested cyclic graphs whose initial nodes must come first. Those are laid out without that
      * constraint.

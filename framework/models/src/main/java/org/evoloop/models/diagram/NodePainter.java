@@ -15,11 +15,16 @@ final class NodePainter {
 
     private final Svg svg;
     private final Map<String, Box> boxes;
+    private final boolean plain;
 
-    /** @param boxes of all nodes of the diagram, by key */
-    NodePainter(Svg svg, Map<String, Box> boxes) {
+    /**
+     * @param boxes of all nodes of the diagram, by key
+     * @param plain whether each has its data
+     */
+    NodePainter(Svg svg, Map<String, Box> boxes, boolean plain) {
         this.svg = svg;
         this.boxes = boxes;
+        this.plain = plain;
     }
 
     void paint(Box box) {
@@ -28,7 +33,7 @@ final class NodePainter {
             return;
         }
         String kind = node.shape() == Shape.STATE ? "state" : "pseudostate";
-        svg.group(kind + " " + Palette.of(node.tone()).cssClass());
+        svg.group(kind + " " + Palette.of(node.tone()).cssClass(), plain ? node.data() : Map.of());
         if (node.shape() == Shape.STATE) {
             state(box);
         } else {

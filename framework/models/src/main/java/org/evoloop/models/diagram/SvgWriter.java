@@ -37,8 +37,33 @@ public final class SvgWriter {
 
     private final Svg svg;
 
-    private SvgWriter(Svg svg) {
+    /** Whether programs show the picture in their own colours, and find its elements by their data. */
+    private final boolean plain;
+
+    private SvgWriter(Svg svg, boolean plain) {
         this.svg = svg;
+        this.plain = plain;
+    }
+
+    /**
+     * A picture of one machine for a page, which has the colours: without heading, frame, legend and style. Each element
+     * has what the diagram says of it as attributes {@code data-...}; a transition has a wide path of class {@code hit}
+     * below its line, so that it is easily met.
+     *
+     * @param name of the picture, unique on the page; letters only
+     */
+    public static String plain(String name, Diagram diagram, boolean down) {
+        Layout layout = ElkLayout.of(diagram, down);
+        String marker =
+                "<marker id=\"arrow-" + name + "\" viewBox=\"0 0 10 10\" refX=\"9\" refY=\"5\" markerWidth=\"10\""
+                        + " markerHeight=\"10\" markerUnits=\"userSpaceOnUse\" orient=\"auto\"><path class=\"arrowhead\""
+                        + " d=\"M0 1 L9 5 L0 9\" fill=\"none\" stroke=\"context-stroke\"/></marker>\n";
+        SvgWriter writer = new SvgWriter(
+                Svg.unstyled(diagram.title(), layout.width(), layout.height(), TextSize.FONT_SIZE, marker), true);
+        writer.svg.group("machine", Map.of("marker", name));
+        writer.drawing(layout, "url(#arrow-" + name + ")");
+        writer.svg.endGroup();
+        return writer.svg.toString();
     }
 
     /** A picture of {@code diagrams}. */
@@ -73,13 +98,17 @@ public final class SvgWriter {
             timed += painter.height() + GAP;
         }
         double width = legend == 0 ? drawn : Math.max(drawn, LEGEND_WIDTH);
-        SvgWriter writer = new SvgWriter(new Svg(
-                title,
-                width,
-                shelves.height() + legend + below + timed,
-                TextSize.FONT_SIZE,
-                style(tones) + (below == 0 ? "" : TablePainter.STYLE) + (painters.isEmpty() ? "" : TimingPainter.STYLE),
-                markers(tones)));
+        SvgWriter writer = new SvgWriter(
+                new Svg(
+                        title,
+                        width,
+                        shelves.height() + legend + below + timed,
+                        TextSize.FONT_SIZE,
+                        style(tones)
+                                + (below == 0 ? "" : TablePainter.STYLE)
+                                + (painters.isEmpty() ? "" : TimingPainter.STYLE),
+                        markers(tones)),
+                false);
         for (int i = 0; i < layouts.size(); i++) {
             writer.machine(diagrams.get(i), layouts.get(i), shelves.places().get(i));
         }
@@ -137,22 +166,36 @@ public final class SvgWriter {
         svg.rectangle("border", 0, 0, Shelves.frameWidth(layout), Shelves.frameHeight(layout), 4);
         svg.text("heading", 12, 23, diagram.title());
         svg.group("drawing", 0, Shelves.HEADING);
-        Map<String, Box> boxes = new HashMap<>();
-        layout.boxes().forEach(box -> boxes.put(box.node().key(), box));
-        NodePainter painter = new NodePainter(svg, boxes);
-        layout.boxes().forEach(painter::paint);
-        layout.wires().forEach(wire -> way(wire, boxes));
-        layout.wires().forEach(this::label);
+        drawing(layout, "");
         svg.endGroup().endGroup();
     }
 
-    private void way(Wire wire, Map<String, Box> boxes) {
+    /** @param arrow the end of each transition's line; empty if the style says so */
+    private void drawing(Layout layout, String arrow) {
+        Map<String, Box> boxes = new HashMap<>();
+        layout.boxes().forEach(box -> boxes.put(box.node().key(), box));
+        NodePainter painter = new NodePainter(svg, boxes, plain);
+        layout.boxes().forEach(painter::paint);
+        layout.wires().forEach(wire -> way(wire, boxes, arrow));
+        layout.wires().forEach(this::label);
+    }
+
+    private Map<String, String> data(Map<String, String> known) {
+        return plain ? known : Map.of();
+    }
+
+    private void way(Wire wire, Map<String, Box> boxes, String arrow) {
         Box source = boxes.get(wire.edge().source());
         Box target = boxes.get(wire.edge().target());
         if (source != null && target != null) {
-            svg.group("transition " + Palette.of(wire.edge().tone()).cssClass());
-            svg.path("line way", path(Ends.onOutlines(wire.points(), source, target)))
-                    .endGroup();
+            svg.group(
+                    "transition " + Palette.of(wire.edge().tone()).cssClass(),
+                    data(wire.edge().data()));
+            String path = path(Ends.onOutlines(wire.points(), source, target));
+            if (plain) {
+                svg.path("hit", path);
+            }
+            svg.path("line way", path, arrow).endGroup();
         }
     }
 
@@ -183,7 +226,9 @@ public final class SvgWriter {
         if (wire.label().isEmpty()) {
             return;
         }
-        svg.group("event " + Palette.of(wire.edge().tone()).cssClass());
+        svg.group(
+                "event " + Palette.of(wire.edge().tone()).cssClass(),
+                data(wire.edge().data()));
         double baseline = wire.at().y() + TextSize.ASCENT;
         for (String line : wire.label()) {
             svg.text("label", wire.at().x(), baseline, line);

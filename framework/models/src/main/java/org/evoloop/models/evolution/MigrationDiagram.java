@@ -43,7 +43,8 @@ public final class MigrationDiagram {
             }
         }
         Tone tone = worst.tone();
-        return new Diagram.Node(node.key(), node.shape(), node.name(), List.copyOf(notes), node.children(), tone);
+        return new Diagram.Node(
+                node.key(), node.shape(), node.name(), List.copyOf(notes), node.children(), tone, node.data());
     }
 
     private static String note(Migration.Line line, ModelPair after) {

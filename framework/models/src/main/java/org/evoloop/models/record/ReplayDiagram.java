@@ -77,7 +77,7 @@ public final class ReplayDiagram {
         if (notes.size() > MOST_NOTES) {
             shown.add("and " + (notes.size() - MOST_NOTES) + " more, see below");
         }
-        return new Diagram.Node(node.key(), node.shape(), node.name(), shown, node.children(), tone);
+        return new Diagram.Node(node.key(), node.shape(), node.name(), shown, node.children(), tone, node.data());
     }
 
     private static String note(Difference difference, Verdict now) {

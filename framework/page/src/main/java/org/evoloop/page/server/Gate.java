@@ -1,4 +1,4 @@
-package org.evoloop.page;
+package org.evoloop.page.server;
 
 import com.sun.net.httpserver.Headers;
 import com.sun.net.httpserver.HttpExchange;
@@ -21,8 +21,10 @@ import org.jspecify.annotations.Nullable;
  * browsers send only with this page's own requests.
  *
  * <p>Threading: thread-safe.
+ *
+ * @since 0.1
  */
-final class Gate {
+public final class Gate {
     private static final SecureRandom RANDOM = new SecureRandom();
 
     private final String token;
@@ -32,11 +34,13 @@ final class Gate {
     private final Set<String> ownNames;
 
     /**
+     * Controls access to a server.
+     *
      * @param host the host name or address on which it listens
      * @param port the port on which it listens: a browser sends cookies to every port of a host
      * @param token the token for the controls; the cookie follows from it, and is as long-lived
      */
-    Gate(String host, int port, String token) {
+    public Gate(String host, int port, String token) {
         this.token = token;
         this.session = session(token);
         this.host = host.toLowerCase(Locale.ROOT);
@@ -45,7 +49,7 @@ final class Gate {
     }
 
     /** A new token. */
-    static String secret() {
+    public static String secret() {
         byte[] bytes = new byte[18];
         RANDOM.nextBytes(bytes);
         return encoded(bytes);
@@ -75,13 +79,12 @@ final class Gate {
     }
 
     /** The token for the controls. */
-    String token() {
+    public String token() {
         return token;
     }
 
     /** Why this request is refused; null if it is not. */
-    @Nullable
-    String objection(HttpExchange exchange) {
+    public @Nullable String objection(HttpExchange exchange) {
         Headers headers = exchange.getRequestHeaders();
         String called = headers.getFirst("Host");
         if (called == null || !isOwn(hostOf(called))) {
@@ -121,13 +124,12 @@ final class Gate {
     }
 
     /** The cookie for the right token; null for any other. */
-    @Nullable
-    String admit(String claimed) {
+    public @Nullable String admit(String claimed) {
         return same(claimed, token) ? cookie + "=" + session + "; Path=/; HttpOnly; SameSite=Strict" : null;
     }
 
     /** Whether the request has the cookie. */
-    boolean isAdmitted(HttpExchange exchange) {
+    public boolean isAdmitted(HttpExchange exchange) {
         String own = cookie + "=";
         for (String header : exchange.getRequestHeaders().getOrDefault("Cookie", List.of())) {
             for (String each : header.split(";", -1)) {

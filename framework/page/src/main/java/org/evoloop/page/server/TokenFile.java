@@ -1,4 +1,4 @@
-package org.evoloop.page;
+package org.evoloop.page.server;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -12,8 +12,16 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Optional;
 import java.util.Set;
 
-/** The file in which a page's token outlives the program. Only its owner may read it. */
-record TokenFile(Path path) {
+/**
+ * The file in which a page's token outlives the program. Only its owner may read it.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param option the option that names it, for messages
+ * @param path its path
+ * @since 0.1
+ */
+public record TokenFile(String option, Path path) {
     private static final String SECRET = "[A-Za-z0-9_-]{16,128}";
     private static final Set<PosixFilePermission> OWNERS = PosixFilePermissions.fromString("rw-------");
 
@@ -22,7 +30,7 @@ record TokenFile(Path path) {
      *
      * @throws IllegalArgumentException if it cannot be used; the message says what to do
      */
-    Optional<String> read() {
+    public Optional<String> read() {
         try {
             if (!Files.exists(path, LinkOption.NOFOLLOW_LINKS)) {
                 return Optional.empty();
@@ -50,7 +58,7 @@ record TokenFile(Path path) {
      *
      * @throws IOException if that is impossible; the message says what to do
      */
-    void write(String token) throws IOException {
+    public void write(String token) throws IOException {
         try {
             Path folder = path.toAbsolutePath().getParent();
             // Created with mode 0600.
@@ -63,7 +71,7 @@ record TokenFile(Path path) {
             }
         } catch (IOException unwritten) {
             throw new IOException(
-                    "--page-token-file is " + path + ", which cannot be written (" + reason(unwritten)
+                    option + " is " + path + ", which cannot be written (" + reason(unwritten)
                             + "); name a file in a folder that this program's user may write to",
                     unwritten);
         }
@@ -75,6 +83,6 @@ record TokenFile(Path path) {
     }
 
     private IllegalArgumentException refused(String why) {
-        return new IllegalArgumentException("--page-token-file is " + path + ", which " + why);
+        return new IllegalArgumentException(option + " is " + path + ", which " + why);
     }
 }

@@ -1,0 +1,162 @@
+package org.evoloop.studio;
+
+import com.sun.net.httpserver.HttpExchange;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.evoloop.page.server.Answer;
+import org.evoloop.page.server.PageServer;
+import org.evoloop.payload.JsonObject;
+import org.evoloop.payload.JsonRecord;
+import org.evoloop.statemachine.ModelException;
+import org.evoloop.studio.Analysis.Detail;
+import org.evoloop.studio.Analysis.Direction;
+import org.evoloop.studio.Analysis.View;
+import org.evoloop.xmi.XmiMachine;
+
+/**
+ * Answers the page's requests.
+ *
+ * <p>Threading: thread-safe.
+ */
+final class Routes {
+    private static final int INTERNAL_ERROR = 500;
+
+    private final Folder folder;
+    private final Analysis analysis;
+    private final Map<String, Action> actions;
+
+    /** What a request asks for. */
+    private interface Action {
+        JsonObject perform(JsonRecord request);
+    }
+
+    Routes(Folder folder, Analysis analysis) {
+        this.folder = folder;
+        this.analysis = analysis;
+        this.actions = Map.of(
+                "GET /api/files", request -> files(),
+                "GET /api/file", this::file,
+                "PUT /api/file", this::save,
+                "POST /api/draw", request -> analysis.draw(pair(request), view(request)),
+                "POST /api/check", request -> analysis.check(pair(request), request.text("properties", "")),
+                "POST /api/plan", this::plan,
+                "POST /api/property", request -> analysis.property(pair(request), request.text("property")));
+    }
+
+    void answer(HttpExchange exchange) throws IOException {
+        String asked =
+                exchange.getRequestMethod() + " " + exchange.getRequestURI().getPath();
+        int status = Answer.OK;
+        JsonObject answer;
+        try {
+            answer = perform(asked, exchange);
+        } catch (RequestException refused) {
+            status = refused.status();
+            answer = refused.answer();
+        } catch (MistakeException mistaken) {
+            answer = new JsonObject().put("mistake", mistaken.mistake().json());
+        } catch (ModelException | IllegalArgumentException senseless) {
+            status = RequestException.BAD;
+            answer = new JsonObject().put("error", senseless.getMessage());
+        } catch (StackOverflowError | OutOfMemoryError tooMuch) {
+            status = INTERNAL_ERROR;
+            answer = new JsonObject().put("error", "the models are too large for this");
+        }
+        Answer.send(exchange, status, "application/json", answer.toBytes());
+    }
+
+    private JsonObject perform(String asked, HttpExchange exchange) throws IOException {
+        Action action = actions.get(asked);
+        if (action == null) {
+            throw new RequestException(RequestException.NOT_FOUND, "there is no " + asked);
+        }
+        String query = exchange.getRequestURI().getQuery();
+        boolean isGet = asked.startsWith("GET");
+        return action.perform(isGet ? parameters(query) : JsonRecord.of(PageServer.body(exchange)));
+    }
+
+    /** The only parameter that a GET has. */
+    private static JsonRecord parameters(String query) {
+        JsonObject parameters = new JsonObject();
+        if (query != null && query.startsWith("path=")) {
+            parameters.put("path", query.substring("path=".length()));
+        }
+        return JsonRecord.of(new String(parameters.toBytes(), StandardCharsets.US_ASCII));
+    }
+
+    private JsonObject files() {
+        List<JsonObject> files = new ArrayList<>();
+        for (String path : folder.files()) {
+            if (Folder.isOfModels(path)) {
+                List<String> machines = machines(path);
+                if (!machines.isEmpty() || !path.matches("(?i).*\\.(md|markdown|xml)")) {
+                    files.add(listed(path, "models").putTexts("machines", machines));
+                }
+            } else {
+                files.add(listed(path, Folder.isDevice(path) ? "device" : "properties")
+                        .putTexts("machines", List.of()));
+            }
+        }
+        return new JsonObject().put("directory", folder.root().toString()).put("files", files);
+    }
+
+    private static JsonObject listed(String path, String kind) {
+        return new JsonObject().put("path", path).put("kind", kind);
+    }
+
+    /** None if the file has no machine, or cannot be read. */
+    private List<String> machines(String path) {
+        try {
+            return folder.models(path).machines().stream().map(XmiMachine::name).toList();
+        } catch (ModelException unreadable) {
+            return List.of();
+        }
+    }
+
+    private JsonObject file(JsonRecord request) {
+        String path = request.text("path");
+        Folder.Read read = folder.read(path);
+        return new JsonObject().put("path", path).put("text", read.text()).put("version", read.version());
+    }
+
+    private JsonObject save(JsonRecord request) {
+        String version = folder.write(request.text("path"), request.text("text"), request.text("version", ""));
+        return new JsonObject().put("version", version);
+    }
+
+    private JsonObject plan(JsonRecord request) {
+        return analysis.plan(pair(request), request.text("state"), request.text("event"), request.text("guard", ""));
+    }
+
+    private Pair pair(JsonRecord request) {
+        JsonRecord pair = request.inner("pair")
+                .orElseThrow(() -> new RequestException("'pair' is missing, with original, new and texts"));
+        Texts texts = new Texts(folder, pair);
+        return new Pair(source(texts, pair, "original"), source(texts, pair, "new"));
+    }
+
+    private static Source source(Texts texts, JsonRecord pair, String side) {
+        return texts.source(
+                pair.inner(side).orElseThrow(() -> new RequestException("'" + side + "' is missing in 'pair'")));
+    }
+
+    private static View view(JsonRecord request) {
+        return new View(
+                constant(Direction.class, request.text("direction", "right")),
+                constant(Detail.class, request.text("view", "all")),
+                request.text("around", ""));
+    }
+
+    private static <E extends Enum<E>> E constant(Class<E> type, String word) {
+        for (E each : type.getEnumConstants()) {
+            if (JsonObject.word(each).equals(word.toLowerCase(Locale.ROOT))) {
+                return each;
+            }
+        }
+        throw new RequestException("'" + word + "' is none of " + List.of(type.getEnumConstants()));
+    }
+}
