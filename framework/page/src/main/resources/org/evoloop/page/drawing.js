@@ -66,6 +66,9 @@ export class Drawing {
   // The SVG element, or null.
   get svg() { return this.#svg; }
 
+  // The whole drawing's width; undefined if there is none.
+  get width() { return this.#svg ? this.#whole[0] : undefined; }
+
   // Calls back with the dataset of a state or arrow that is clicked.
   onPick(picked) { this.#picked = picked; }
 
