@@ -85,7 +85,7 @@ export class Pictures {
       drawing.mark('picked', mine?.state ? [mine.state.name] : []);
       drawing.light('plan', side === 'original' ? plan : [], { numbered: side === 'original' });
       drawing.mark('now', now?.[side] ? [now[side]] : []);
-      const found = findings.filter(one => one.machine === (side === 'new' ? 'evolved' : side));
+      const found = findings.filter(one => one.machine === side);
       drawing.mark('found', found.filter(one => one.state).map(one => one.state));
       drawing.light('found', found.filter(one => one.transition).map(one => ({ id: one.transition })));
       this.#ring(side, mine?.state);

@@ -9,8 +9,7 @@ export class Properties {
   #field = make('input.mono', { type: 'text', placeholder: 'Name: always can Off', id: 'property' });
   #pair;
   #actions;
-  #path;
-  #findings = [];
+  #written = [];
   #number = 0;
 
   // actions: { go(path, line), play(run), keep(text) -> a promise }.
@@ -29,9 +28,13 @@ export class Properties {
     this.#show();
   }
 
-  // What /api/check has found about the properties' file.
-  found(findings) {
-    this.#findings = findings.filter(one => one.rule === 'property' || /propert/.test(one.rule));
+  // What /api/check has found, and the file of properties beside the new model, if there is one.
+  found(findings, path, text) {
+    const broken = findings.some(one => one.path === path && one.rule !== 'property');
+    this.#written = text.split('\n').map((line, index) => [line.trim(), index + 1]).filter(([line]) => line && !line.startsWith('#')).map(([line, number]) => {
+      const finding = findings.find(one => one.rule === 'property' && one.message.includes(`line ${number})`));
+      return { line, path, number, finding, proved: !finding && !broken };
+    });
     this.#show();
   }
 
@@ -54,9 +57,10 @@ export class Properties {
   }
 
   #show() {
-    const written = this.#findings.map(one => make('article.finding.error', {},
-      make('b', {}, make('span.bad', {}, 'Does not hold'), ` · ${one.message}`), make('span', {}, one.why),
-      make('span.do', {}, ...(one.run?.length ? [button('Play it', () => this.#actions.play(one.run))] : []), button(`line ${one.line}`, () => this.#actions.go(one.path, one.line)))));
+    const written = this.#written.map(({ line, path, number, finding, proved }) => make(`article.finding.${proved ? 'proved' : finding ? 'error' : 'warning'}`, {},
+      make('b', {}, make(`span.${proved ? 'good' : finding ? 'bad' : 'warn'}`, {}, proved ? 'Proved' : finding ? 'Does not hold' : 'Not decided'), ` · ${line}`),
+      ...(finding?.why ? [make('span', {}, finding.why)] : []),
+      make('span.do', {}, ...(finding?.run?.length ? [button('Play it', () => this.#actions.play(finding.run))] : []), button(`${path}, line ${number}`, () => this.#actions.go(path, number)))));
     this.#list.replaceChildren(...this.#judged.map(one => this.#entry(one)), ...written,
       ...(this.#judged.length || written.length ? [] : [make('p.soft.small', {}, 'What must always hold, such as “the lamp goes off: always can Off”. It is proved for every run, or a run that refutes it is shown.')]));
   }

@@ -1,5 +1,7 @@
 // Requests to the studio's server, which keeps nothing: each one brings its texts.
 
+const ALIVE = '/api/files'; // what any studio answers
+
 let heard = () => {};
 
 // Calls back with 'up', 'ended' (no answer) or 'locked' (no longer admitted) after each request.
@@ -19,8 +21,9 @@ export async function ask(method, path, body, signal) {
     response = await fetch(path, { method, signal, body: body === undefined ? undefined : JSON.stringify(body) });
   } catch (failure) {
     if (signal?.aborted) throw failure;
-    heard('ended');
-    throw new Refused(0, { error: 'the studio has ended' });
+    const alive = path !== ALIVE && (await fetch(ALIVE).then(() => true, () => false));
+    if (!alive) heard('ended');
+    throw new Refused(alive ? 500 : 0, { error: alive ? 'the studio has failed at this' : 'the studio has ended' });
   }
   if (response.status === 401) heard('locked');
   else heard('up');

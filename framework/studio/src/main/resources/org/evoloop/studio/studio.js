@@ -95,16 +95,17 @@ function onlyOne() {
 
 async function check() {
   const both = pair();
+  const beside = both && propertiesBeside();
+  if (beside) await store.open(beside);
   if (!both) {
     found = { ...found, findings: mistakes, tooLarge: '' };
   } else {
-    const beside = propertiesBeside();
     const answer = await questions.check.ask('/api/check', { pair: both, ...(beside && store.isUnsaved(beside) ? { properties: store.text(beside) } : {}) });
     if (answer === null) return;
     const list = (answer.findings ?? mistakes).map(one => (one.path === 'properties' && beside ? { ...one, path: beside } : one));
     found = { ...found, findings: list, tooLarge: answer.tooLarge ?? '' };
   }
-  properties.found(found.findings);
+  properties.found(found.findings, beside, beside ? store.text(beside) : '');
   show();
 }
 

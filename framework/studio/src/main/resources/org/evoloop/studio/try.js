@@ -16,7 +16,7 @@ const whole = text => { // "90000 ms" as "1 min 30 s"
 const named = input => {
   if (input.after) return `let ${/^\d+ ms$/.test(input.after) ? whole(input.after) : input.after} pass`;
   if (input.guard) return `${input.guard} is ${input.value}`;
-  return input.press ?? `${input.device}, by itself`;
+  return input.press ?? `${input.device} at the device`;
 };
 
 const only = one => Object.fromEntries(['press', 'device', 'after', 'guard', 'value'].filter(name => one[name] !== undefined).map(name => [name, one[name]]));
