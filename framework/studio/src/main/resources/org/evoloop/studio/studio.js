@@ -128,9 +128,14 @@ async function planned() {
     const answer = await questions.plan.ask('/api/plan', { pair: pair(), state: asked.source, event: asked.event, guard: asked.guard ?? '' }).catch(failure => ({ words: failure.message, steps: [] }));
     if (answer === null) return;
     plan = answer.steps ?? [];
-    strip.say(answer.words ?? answer.mistake?.message ?? '', /^(never|impossible)/.test(answer.words ?? '') ? 'warn' : '');
+    strip.say(plan.length ? way(plan) : (answer.words ?? answer.mistake?.message ?? ''), /^(never|impossible)/.test(answer.words ?? '') ? 'warn' : '');
   }
   light();
+}
+
+function way(steps) {
+  const sent = steps.filter(step => !step.byDevice).map(step => step.event);
+  return `The device: ${[steps[0].source, ...steps.map(step => step.target)].join(' → ')}; ${sent.length ? `sends ${sent.join(', ')}` : 'it has done so itself, nothing is sent'}`;
 }
 
 async function device() {
