@@ -9,6 +9,7 @@ export class Pictures {
   #drawings = {};
   #models = {}; // the last good ones
   #notes = {};
+  #whole = {}; // which of them are kept as large as fits
   onPick = () => {};
   onArrow = () => {};
 
@@ -21,6 +22,7 @@ export class Pictures {
       this.#notes[side] = make('p.note', { role: 'status', hidden: true });
       $('figcaption', view).after(this.#notes[side]);
       $('.port', view).addEventListener('keydown', key => this.#step(side, key));
+      for (const zoom of $$('[data-zoom]', view)) zoom.addEventListener('click', () => { this.#whole[side] = zoom.dataset.zoom === 'fit'; });
     }
     $('.view[data-side="new"] .port').addEventListener('pointerdown', down => this.#pull(down, 'new'), { capture: true });
     $('.view[data-side="original"] .port').addEventListener('pointerdown', down => this.#pull(down, 'original'), { capture: true });
@@ -46,6 +48,7 @@ export class Pictures {
       this.#models[side] = model;
       if (model.svg) this.#drawings[side].show(model.svg, { keep });
       else this.#drawings[side].clear();
+      if (model.svg && this.#whole[side]) this.#drawings[side].fit();
     }
   }
 
