@@ -9,10 +9,12 @@ export class Change {
   #name = '';
   #stage = 'look';
   #body = make('div.stage');
+  #runs = make('select', { ariaLabel: 'What runs now' });
+  #chosen = null;
   #told = make('p.said', { role: 'status' });
   #probation = make('input', { type: 'text', value: '600', inputMode: 'numeric', ariaLabel: 'Probation in seconds' });
 
-  // desk: { pair(), reference(side), unsaved(), save() }.
+  // desk: { pair(), reference(side), machines(), unsaved(), save() }.
   constructor(desk) { this.#desk = desk; }
 
   async open() {
@@ -65,10 +67,8 @@ export class Change {
   }
 
   #here(status) {
-    const state = status?.states ?? status?.state ?? {};
-    const now = typeof state === 'string' ? state : state.new ?? state.evolved ?? '';
-    const device = typeof state === 'string' ? '' : state.original ?? '';
-    return make('div.here', {}, 'Now ', make('span.st.now', {}, now || '?'), ...(device ? [make('span', {}, 'the device itself ', make('span.st', {}, device))] : []));
+    const { newState: now, originalState: device } = status;
+    return make('div.here', {}, 'Now ', make('span.st.now', {}, now || 'in doubt'), ...(device ? [make('span', {}, 'the device itself ', make('span.st', {}, device))] : []), ...(status.evolution ? [make('span', {}, status.evolution)] : []));
   }
 
   async #show() {
@@ -81,10 +81,18 @@ export class Change {
     if (stage !== this.#stage) return;
     const here = status ? [this.#here(status)] : [];
     if (stage === 'look') {
-      this.#body.replaceChildren(...here, make('p.soft', {}, 'Asking …'));
-      const answer = await this.#command('migrate', this.#running(status));
-      if (stage !== this.#stage) return;
-      this.#body.replaceChildren(...here, ...(answer ? [table(answer)] : []));
+      this.#which(status);
+      const place = make('div.stage', {}, make('p.soft', {}, 'Asking …'));
+      const look = async () => {
+        const answer = await this.#command('migrate', this.#running());
+        place.replaceChildren(...(answer ? [table(answer)] : []));
+      };
+      this.#runs.onchange = () => {
+        this.#chosen = JSON.parse(this.#runs.value);
+        look();
+      };
+      this.#body.replaceChildren(...here, make('div.fields', {}, make('label', {}, 'What runs now, as it is on the disk', this.#runs)), place);
+      await look();
     } else if (stage === 'beside') {
       this.#body.replaceChildren(...here, make('p', {}, 'It decides beside the present model, with each event. Nothing of it is sent.'), ...warned,
         make('div.bar', {}, main('Try it beside', () => this.#command('shadow', { new: next.new })), button('What has it decided?', () => this.#command('shadow')), button('No longer', () => this.#command('off')), button('Let it take over', () => this.#command('promote'))));
@@ -103,9 +111,18 @@ export class Change {
     }
   }
 
-  #running(status) { // the pair that runs, if its files are in this folder
-    const models = status?.models;
-    return models?.original && models?.new && !models.original.startsWith('/') ? { running: models } : {};
+  // What runs is not known by its file, only by its name; one may say which it is.
+  #which(status) {
+    const name = /'([^']+)'/.exec(status?.evolution ?? '')?.[1];
+    const machines = this.#desk.machines();
+    const guess = machines.find(([path, machine]) => (machine || path.replace(/^.*\/|\.[^.]+$/g, '')) === name);
+    this.#runs.replaceChildren(...machines.map(one => make('option', { value: JSON.stringify(one) }, one[1] ? `${one[0]}#${one[1]}` : one[0])));
+    this.#runs.value = JSON.stringify(guess ?? this.#chosen ?? [this.#desk.pair().new.path, this.#desk.pair().new.name ?? '']);
+  }
+
+  #running() {
+    const [path, name] = JSON.parse(this.#runs.value);
+    return { running: { original: this.#desk.pair().original, new: { path, ...(name ? { name } : {}) } } };
   }
 }
 

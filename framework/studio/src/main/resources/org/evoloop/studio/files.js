@@ -23,7 +23,7 @@ export class Files {
   }
 
   // [path, name] of each machine: on disk, or typed here.
-  #machines() {
+  machines() {
     const { files, documents } = this.#store;
     const listed = files.filter(file => file.kind === 'models').flatMap(({ path, machines }) => (machines.length > 1 ? machines.map(name => [path, name]) : [[path, '']]));
     const typed = [...documents.values()].filter(one => one.kind === 'models' && !files.some(file => file.path === one.path)).map(one => [one.path, '']);
@@ -33,7 +33,7 @@ export class Files {
   // The pair that was chosen last, or the one that its names suggest.
   async first() {
     const kept = JSON.parse(localStorage.getItem(KEY + this.#store.directory) ?? '{}');
-    const machines = this.#machines();
+    const machines = this.machines();
     const known = one => one && (machines.some(([path, name]) => path === one.path && (name === (one.name ?? '') || !one.name)) || this.#store.orphans.includes(one.path));
     const guess = (side, words) => {
       const hit = machines.find(([path, name]) => words.test(name || path.split('/').at(-1)));
@@ -48,7 +48,7 @@ export class Files {
   #reference(machine) { return machine ? { path: machine[0], ...(machine[1] ? { name: machine[1] } : {}) } : null; }
 
   selects(chosen) {
-    const machines = this.#machines();
+    const machines = this.machines();
     for (const side of ['new', 'original']) {
       const select = $(`.view[data-side="${side}"] figcaption select`);
       if (document.activeElement === select) continue;

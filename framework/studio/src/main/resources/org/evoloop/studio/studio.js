@@ -25,7 +25,7 @@ const strip = new Strip(side => pictures.model(side), edit);
 const findings = new Findings();
 const trial = new Try(pair, keepScenario);
 const properties = new Properties(pair, { go, play, keep: keepProperty });
-const change = new Change({ pair, reference, unsaved: () => store.unsaved, save: saveAll });
+const change = new Change({ pair, reference, machines: () => files.machines(), unsaved: () => store.unsaved, save: saveAll });
 const files = new Files(store, { open, choose });
 const questions = { draw: new Latest(), check: new Latest(), plan: new Latest(), device: new Latest() };
 

@@ -111,7 +111,8 @@ class StudioPageTest {
         window.pick("new", "wait");
         browser.await("document.querySelector('.lines .at .no').textContent === '" + LINE_OF_WAIT + "'");
         assertThat(browser.complaints).isEmpty();
-        assertThat(browser.requests).allMatch(request -> request.startsWith("http://127.0.0.1:") || request.startsWith("about:"));
+        assertThat(browser.requests)
+                .allMatch(request -> request.startsWith("http://127.0.0.1:") || request.startsWith("about:"));
     }
 
     @Test
@@ -274,9 +275,10 @@ class StudioPageTest {
     }
 
     private static void button(String place, String text) {
-        browser.await("[...document.querySelectorAll('" + place + " button')].some(one => one.textContent === '" + text + "')");
-        browser.evaluate("[...document.querySelectorAll('" + place + " button')].find(one => one.textContent === '" + text
-                + "').click()");
+        browser.await("[...document.querySelectorAll('" + place + " button')].some(one => one.textContent === '" + text
+                + "')");
+        browser.evaluate("[...document.querySelectorAll('" + place + " button')].find(one => one.textContent === '"
+                + text + "').click()");
     }
 
     @Test
@@ -333,8 +335,10 @@ class StudioPageTest {
                 assertThat(browser.evaluate("String(document.documentElement.scrollWidth - innerWidth)"))
                         .as(view)
                         .isEqualTo("0");
-                assertThat(browser.evaluate("[...document.querySelectorAll('button, input, select')].filter(one =>"
-                                + " one.offsetParent && one.getBoundingClientRect().height < 30).map(one => one.outerHTML).join()"))
+                assertThat(
+                                browser.evaluate(
+                                        "[...document.querySelectorAll('button, input, select')].filter(one =>"
+                                                + " one.offsetParent && one.getBoundingClientRect().height < 30).map(one => one.outerHTML).join()"))
                         .as(view)
                         .isEmpty();
             }

@@ -3,6 +3,7 @@ package org.evoloop.models.studio;
 import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Proxy;
+import java.net.URI;
 import java.nio.file.Path;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -10,22 +11,31 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.evoloop.page.Browser;
 import org.evoloop.studio.Analysis;
 import org.evoloop.studio.Studio;
+import org.jspecify.annotations.Nullable;
 
 /** The studio in Chromium, used by mouse and keyboard only. */
 final class StudioWindow implements AutoCloseable {
     private static final String QUIET = "document.readyState === 'complete' && !document.body.dataset.busy";
 
     final Browser browser;
-    private final Path folder;
-    private final Path tokenFile;
+    private @Nullable Path folder;
+    private @Nullable Path tokenFile;
     private final AtomicReference<CountDownLatch> held = new AtomicReference<>(new CountDownLatch(0));
-    private Studio studio;
+    private @Nullable Studio studio;
+    private String address;
 
     StudioWindow(Browser browser, Path folder, Path tokenFile) throws IOException {
         this.browser = browser;
         this.folder = folder;
         this.tokenFile = tokenFile;
         studio = start(0);
+        address = studio.address().toString();
+    }
+
+    /** For a studio that runs in another process. */
+    StudioWindow(Browser browser, String address) {
+        this.browser = browser;
+        this.address = address;
     }
 
     private Studio start(int port) throws IOException {
@@ -61,12 +71,11 @@ final class StudioWindow implements AutoCloseable {
     }
 
     void startAgain() throws IOException {
-        studio = start(studio.address().getPort());
+        studio = start(URI.create(address).getPort());
     }
 
     /** Forgets what another test has typed, and opens the page. */
     void open() {
-        String address = studio.address().toString();
         browser.open(address.replaceFirst("#.*", "style.css"));
         browser.await("location.pathname === '/style.css' && document.readyState === 'complete'");
         browser.evaluate("localStorage.clear(); sessionStorage.clear()");
@@ -74,7 +83,7 @@ final class StudioWindow implements AutoCloseable {
     }
 
     void openAnother() {
-        browser.open(studio.address().toString());
+        browser.open(address);
         browser.await("document.querySelector('#title')?.textContent !== 'Studio'");
         quiet();
     }
@@ -129,9 +138,10 @@ final class StudioWindow implements AutoCloseable {
     }
 
     void awaitArrow(String side, String source, String target, String event) {
-        browser.await("[...document.querySelectorAll('" + port(side) + ".event')].some(({ dataset }) => dataset.source === '"
-                + source + "' && dataset.target === '" + target + "' && dataset.event === '"
-                + event.replace("«spontaneous» ", "") + "')");
+        browser.await(
+                "[...document.querySelectorAll('" + port(side) + ".event')].some(({ dataset }) => dataset.source === '"
+                        + source + "' && dataset.target === '" + target + "' && dataset.event === '"
+                        + event.replace("«spontaneous» ", "") + "')");
         quiet();
     }
 
@@ -146,8 +156,9 @@ final class StudioWindow implements AutoCloseable {
 
     /** The arrows of a picture, sorted. */
     String arrows(String side) {
-        return browser.evaluate("[...document.querySelectorAll('" + port(side)
-                + ".event')].map(({ dataset }) => `${dataset.source} > ${dataset.target} : ${dataset.event}`).sort().join('\\n')");
+        return browser.evaluate(
+                "[...document.querySelectorAll('" + port(side)
+                        + ".event')].map(({ dataset }) => `${dataset.source} > ${dataset.target} : ${dataset.event}`).sort().join('\\n')");
     }
 
     /** The states of a picture, sorted. */
