@@ -3,12 +3,16 @@ import { $, element, holding, renew, say } from './dom.js';
 
 let known = [];
 
+const same = (one, other) => one.toLowerCase() === other.toLowerCase();
+
 // The command that raises an event: one of its name, or one that takes it as its word.
 function commandFor(page, event) {
-  const commands = page.controls?.commands ?? [];
-  const own = commands.find(one => one.name === event && !one.choices.length);
-  const taking = commands.find(one => one.choices.includes(event));
-  return own ? own.name : taking ? `${taking.name} ${event}` : null;
+  for (const { name, choices } of page.controls?.commands ?? []) {
+    if (!choices.length && same(name, event)) return name;
+    const word = choices.find(choice => same(choice, event));
+    if (word) return `${name} ${word}`;
+  }
+  return null;
 }
 
 function effect(page, next) {
@@ -31,7 +35,7 @@ function obstacle(page, next) {
   if (status.loop !== 'running') return 'waits: stopped';
   if (!next.decisions.length) return next.deferred ? 'would wait here' : `no effect in ${page.here()}`;
   if (next.decisions.every(one => one.kind === 'impossible')) return `not possible in ${page.here()}`;
-  return page.controls && !commandFor(page, next.event) ? `${effect(page, next)}; not from this page` : '';
+  return '';
 }
 
 function sent(next) {
@@ -40,7 +44,8 @@ function sent(next) {
 }
 
 export function showChoices(page) {
-  known = page.outlook.events.filter(one => one.source === 'controller');
+  known = page.outlook.events.filter(one => one.source === 'controller'
+    && (!page.controls || commandFor(page, one.event)));
   renew($('acts'), known.map(one => one.event), () => known.map(({ event }) => {
     const button = holding('button', 'act', element('b', event), element('small'));
     button.type = 'button';

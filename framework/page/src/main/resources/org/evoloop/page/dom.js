@@ -15,7 +15,12 @@ export function holding(name, className, ...content) {
   return made;
 }
 
-export const state = (name, ...classes) => element('span', name, ['st', ...classes].join(' '));
+// A state as a box; a long name is broken at its capitals.
+export function state(name, ...classes) {
+  const made = element('span', '', ['st', ...classes].join(' '));
+  made.append(...name.split(/(?<=[a-z])(?=[A-Z])/).flatMap((part, index) => (index ? [document.createElement('wbr'), part] : [part])));
+  return made;
+}
 
 // Sets a text only if it has changed: a screen reader tells what has changed, and nothing else.
 export function say(place, text) {

@@ -1,9 +1,10 @@
 // The two models: lit where they are, with the step taken and what may come next; around the state as text, or as drawings.
 import { $, element, holding, inWords, renew, say, state } from './dom.js';
-import { Drawing } from './drawing.js';
+import { Drawing, LEGIBLE } from './drawing.js';
 import { targets } from './now.js';
 
 const LEGIBLE_WIDTH = 1000; // below it, the text is easier to read than a drawing
+const MOST_IN_BUTTON = 16; // letters of a state's name
 const drawings = {};
 let chosen = null; // what the user wants to see
 
@@ -20,10 +21,15 @@ export function prepareModels(page) {
   }
 }
 
+// The model's own name; empty for one that says nothing to its owner.
+function nameOf(page) {
+  const name = page.about.new.name.replace(/^.*[#/]/, '');
+  return /^(new|evolved|original)$/i.test(name) ? '' : name;
+}
+
 function titleOf(page, role) {
-  const { name } = page.about[role];
   if (role === 'original') return `The ${page.name()} itself`;
-  return /^(new|evolved|original)$/i.test(name) ? `The ${page.name()} with what is added` : `Model ${name}`;
+  return nameOf(page) ? `Model ${nameOf(page)}` : `The ${page.name()} with what is added`;
 }
 
 export function drawModels(page) {
@@ -31,7 +37,7 @@ export function drawModels(page) {
     say($(`caption-${role}`), titleOf(page, role));
     $(role).setAttribute('aria-label', `${titleOf(page, role)}: a drawing; arrow keys move it, plus and minus change its size`);
   }
-  say($('model-name'), /^(new|evolved|original)$/i.test(page.about.new.name) ? '' : page.about.new.name);
+  say($('model-name'), nameOf(page));
   views().find(one => one.dataset.view === 'overview').hidden = !page.about.new.overview;
   put('original', page.about.original.all);
   choose(page);
@@ -53,9 +59,12 @@ function put(role, svg) {
   }
 }
 
+// Whether a drawing can be read without moving it.
+const fits = svg => Number(/ width="(\d+)"/.exec(svg)?.[1]) * LEGIBLE < Math.min(innerWidth, 1248);
+
 function choose(page) {
   const { all, overview } = page.about.new;
-  const view = chosen ?? (all && innerWidth >= LEGIBLE_WIDTH ? 'all' : 'around');
+  const view = chosen ?? (all && innerWidth >= LEGIBLE_WIDTH && fits(all) ? 'all' : 'around');
   for (const button of views()) button.setAttribute('aria-pressed', button.dataset.view === view);
   $('around').hidden = view !== 'around';
   $('views').hidden = view === 'around';
@@ -96,7 +105,7 @@ export function showModels(page) {
   $('key-doubt').hidden = !doubt;
   const here = page.drawn('new', at.new);
   say($('moment'), live || !event ? '' : `after event ${event.number}`);
-  say(views()[0], `Around ${here}`);
+  say(views()[0], here.length > MOST_IN_BUTTON ? 'Around' : `Around ${here}`);
   say(views().at(-1), `All ${new Set(page.about.new.states.map(one => one.drawn)).size} states`);
   say($('device-state'), doubt ? 'not certain where' : `${page.drawn('original', at.original)}, of ${page.about.original.states.length} states`);
   signpost(page, here, steps.new, live && !doubt);

@@ -3,6 +3,7 @@ import { $, clock, element, holding, inWords, left, plural, renew, say, state } 
 
 // A page that no longer hears from the converter must not go on counting.
 const MOST_COUNTED = 1500;
+const MOST_OTHERS = 3;
 
 const isViolation = event => event.outcome === 'failed' && event.event.startsWith('violation of ');
 const joined = names => [...new Set(names)].join(' or ');
@@ -66,7 +67,9 @@ function alsoByItself(page) {
   const others = timers(page).slice(1).map(one => `${inWords(one.event)} → ${one.target}`);
   const shown = timers(page).length > 0 || !page.isAdded(page.status.newState) ? 0 : 1;
   others.push(...byItself(page).slice(shown).map(one => `${one.event} → ${targets(page, one)}`));
-  return others.length ? `By itself${shown || timers(page).length ? ' also' : ''}: ${others.join(', ')}` : '';
+  const more = others.length - MOST_OTHERS;
+  const told = [...others.slice(0, MOST_OTHERS), ...(more > 0 ? [`${more} more`] : [])].join(', ');
+  return told && `By itself${shown || timers(page).length ? ' also' : ''}: ${told}`;
 }
 
 function alarm(page) {

@@ -94,10 +94,10 @@ function component(page, one, spares) {
 
 // Commands that are no events of the models: those are buttons above, if they are a controller's.
 function otherLines(page) {
-  const ofModels = new Set(page.eventNames());
+  const ofModels = new Set(page.eventNames().map(name => name.toLowerCase()));
   return page.controls.commands.flatMap(({ name, choices }) => (choices.length
-    ? choices.filter(choice => !ofModels.has(choice)).map(choice => `${name} ${choice}`)
-    : ofModels.has(name) ? [] : [name]));
+    ? choices.filter(choice => !ofModels.has(choice.toLowerCase())).map(choice => `${name} ${choice}`)
+    : ofModels.has(name.toLowerCase()) ? [] : [name]));
 }
 
 export function offer(page) {
@@ -130,6 +130,7 @@ function put(image, note, text, content) {
   say(note, text);
   URL.revokeObjectURL(image.src);
   image.hidden = !content?.size;
+  image.classList.toggle('drawn', content?.type === 'image/svg+xml');
   if (image.hidden) image.removeAttribute('src');
   else image.src = URL.createObjectURL(content);
 }

@@ -6,7 +6,11 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import org.awaitility.Awaitility;
+import org.evoloop.PaperModels;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.State;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
@@ -141,6 +145,33 @@ class LooksTest {
             assertThat(browser.evaluate(OVERLAPS)).isEmpty();
             assertThat(browser.evaluate(FAINT)).isEmpty();
         }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"390", "768", "1280"})
+    void longNamesAreBrokenRatherThanCut(int width) throws Exception {
+        shown.close();
+        Map<State, String> names = Map.of(
+                new State("SpotWait"), "WaitingForASecondPressOfTheCleanButton", new State("On"), "掃除の開始位置で待っています");
+        ModelPair paper = PaperModels.cleaningRobot();
+        shown = new Shown(
+                List.of(),
+                clock,
+                new ModelPair(
+                        paper.original().withStateNames(Map.of(new State("On"), names.get(new State("On")))),
+                        paper.evolved().withStateNames(names)));
+        shown.converter.start();
+        press("Clean", "Clean", "Clean");
+        browser.looks(width, 900, false);
+        look();
+        browser.await("document.querySelector('#chain .st').textContent.startsWith('Waiting')");
+        browser.picture(Path.of("target/page-" + width + "-long.png"));
+        assertThat(browser.evaluate("document.documentElement.scrollWidth")).isEqualTo(Integer.toString(width));
+        assertThat(browser.evaluate(CUT)).isEmpty();
+        assertThat(browser.evaluate(OVERLAPS)).isEmpty();
+        browser.evaluate("document.querySelector('[data-view=all]').click()");
+        browser.await("document.querySelector('#new .state.now')");
+        assertThat(browser.evaluate(CUT)).isEmpty();
     }
 
     @ParameterizedTest

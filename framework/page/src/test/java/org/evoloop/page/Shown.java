@@ -58,15 +58,20 @@ final class Shown implements AutoCloseable {
     }
 
     Shown(List<Picture> pictures, Clock clock) throws IOException {
+        this(pictures, clock, PaperModels.cleaningRobot());
+    }
+
+    /** @param models those of the paper, possibly with other names of states */
+    Shown(List<Picture> pictures, Clock clock, ModelPair models) throws IOException {
         this.clock = clock;
         converter = new SystemEventConverter(LoopConfig.defaults("robot", clock));
         converter.addMonitor(panel);
         converter.addExecute(execute());
         converter.addSpare("Robot2", this::execute);
         converter.addSpare("Panel2", Panel::new);
-        converter.addKnowledge(new Robot(PaperModels.cleaningRobot()));
+        converter.addKnowledge(new Robot(models));
         converter.addKnowledgeFactory(Robot::new);
-        converter.watch((models, at, nanos) -> new Alarm("Who arrives has left", "arriveSpot"));
+        converter.watch((running, at, nanos) -> new Alarm("Who arrives has left", "arriveSpot"));
         converter.addLink(new DeviceLink() {
             @Override
             public boolean isUp() {
@@ -125,10 +130,21 @@ final class Shown implements AutoCloseable {
             super(models);
         }
 
+        /** The state that {@code event} ends. */
+        private String stateWith(String event) {
+            return models().evolved().transitions().stream()
+                    .filter(each -> each.event().name().equals(event))
+                    .map(each -> each.source().name())
+                    .findFirst()
+                    .orElseThrow();
+        }
+
         @Override
         protected void registerNewFunctions() {
-            function("Move", visit -> visit.progress("driving", List.of(Reading.of("distance", 1.25, "m"))));
-            timer("SpotWait", "timeout", Duration.ofSeconds(600));
+            function(
+                    stateWith("arriveSpot"),
+                    visit -> visit.progress("driving", List.of(Reading.of("distance", 1.25, "m"))));
+            timer(stateWith("timeout"), "timeout", Duration.ofSeconds(600));
         }
     }
 

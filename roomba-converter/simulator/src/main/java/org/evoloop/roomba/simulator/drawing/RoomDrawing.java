@@ -90,7 +90,7 @@ public final class RoomDrawing {
                 .distinct()
                 .sorted()
                 .toList();
-        double legendMm = letterMm * 1.6 * (causes.size() + 1.5);
+        double legendMm = letterMm * 1.6 * (causes.size() + 2.5);
         add(
                 "<svg xmlns='http://www.w3.org/2000/svg' viewBox='%.0f %.0f %.0f %.0f' width='1000'"
                         + " font-family='sans-serif' font-size='%.0f' stroke-linejoin='round' stroke-linecap='round'>",
@@ -107,7 +107,8 @@ public final class RoomDrawing {
         drawStart(lineMm);
         drawRobot(state.pose(), lineMm);
         add("</g>");
-        drawLegend(causes, left + letterMm, -bottom + letterMm * 1.6, letterMm);
+        // The scale has a line of its own: the legend is as wide as the room, or wider.
+        drawLegend(causes, left + letterMm, -bottom + letterMm * 3.2, letterMm);
         drawScaleBar(right - letterMm, -bottom + letterMm * 1.6, letterMm);
         add("</svg>");
         return text.toString();
