@@ -132,7 +132,7 @@ export class Drawing {
   // The drawn parts of a step: its line and its text.
   arrows({ source, target, event, id }) {
     if (!this.#svg) return [];
-    if (id !== undefined) return all('.transition, .event', this.#svg).filter(one => one.dataset.id === String(id));
+    if (id !== undefined) return all('.transition, .event', this.#svg).filter(one => one.dataset.id?.split(' ').includes(String(id)));
     return all('.transition, .event', this.#svg).filter(({ dataset }) => dataset.source === source && dataset.target === target
       && (dataset.event === undefined || event === undefined || dataset.event.split(', ').includes(event)));
   }

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.net.URI;
 import java.nio.file.Path;
-import java.util.Map;
+import java.util.List;
 import org.evoloop.page.PageFiles;
 import org.evoloop.page.server.PageServer;
 import org.evoloop.page.server.ServerPlace;
@@ -23,9 +23,21 @@ public final class Studio implements AutoCloseable {
     static final int LONGEST_REQUEST = 4 * Folder.LARGEST;
 
     private static final String LOOPBACK = "127.0.0.1";
-    private static final String SCRIPT = "text/javascript; charset=utf-8";
-    private static final Map<String, String> FILES = Map.of(
-            "index.html", "text/html; charset=utf-8", "studio.css", "text/css; charset=utf-8", "studio.js", SCRIPT);
+    private static final List<String> FILES = List.of(
+            "index.html",
+            "studio.css",
+            "studio.js",
+            "change.js",
+            "dom.js",
+            "editor.js",
+            "files.js",
+            "findings.js",
+            "pictures.js",
+            "properties.js",
+            "server.js",
+            "store.js",
+            "strip.js",
+            "try.js");
 
     private final Clock clock = new SystemClock();
     private final PageServer server;
@@ -57,11 +69,19 @@ public final class Studio implements AutoCloseable {
 
     private void serve(Routes routes) {
         PageFiles.serve(server);
-        FILES.forEach((name, mediaType) ->
-                server.file(name.equals("index.html") ? "/" : "/" + name, mediaType, () -> resource(name)));
+        for (String name : FILES) {
+            server.file(name.equals("index.html") ? "/" : "/" + name, mediaType(name), () -> resource(name));
+        }
         server.session(() -> "{}");
         server.admitted("/api/", routes::answer);
         server.start();
+    }
+
+    private static String mediaType(String name) {
+        if (name.endsWith(".js")) {
+            return "text/javascript; charset=utf-8";
+        }
+        return (name.endsWith(".css") ? "text/css" : "text/html") + "; charset=utf-8";
     }
 
     private static @Nullable InputStream resource(String name) {

@@ -1,0 +1,347 @@
+package org.evoloop.models.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import org.awaitility.Awaitility;
+import org.evoloop.models.Tool;
+import org.evoloop.page.Browser;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIf;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The studio in Chromium, as an author uses it. */
+@EnabledIf("org.evoloop.page.Browser#isThere")
+class StudioPageTest {
+    private static final String LAMP = """
+            ```mermaid
+            ---
+            title: original
+            ---
+            stateDiagram-v2
+                [*] --> off
+                off --> on : switch
+                on --> off : switch
+            ```
+            ```mermaid
+            ---
+            title: new
+            ---
+            stateDiagram-v2
+                %% it goes off by itself
+                [*] --> off
+                off --> on : switch
+                on --> wait : switch
+                wait --> off : tm(2s)
+            ```
+            """;
+    private static final int LINE_OF_WAIT = 18;
+
+    private static Browser browser;
+
+    @TempDir
+    private Path folder;
+
+    @TempDir
+    private Path other;
+
+    private StudioWindow window;
+
+    @BeforeAll
+    static void launch() throws Exception {
+        browser = new Browser();
+    }
+
+    @AfterAll
+    static void quit() {
+        browser.close();
+    }
+
+    @BeforeEach
+    void start() throws Exception {
+        browser.looks(1280, 900, false);
+        browser.requests.clear();
+        browser.complaints.clear();
+        window = new StudioWindow(browser, folder, other.resolve("token"));
+    }
+
+    @AfterEach
+    void end() {
+        browser.open("about:blank");
+        window.close();
+    }
+
+    private void lamp() throws Exception {
+        Files.writeString(folder.resolve("lamp.md"), LAMP);
+        window.open();
+        window.awaitState("new", "wait");
+    }
+
+    private void go(int line) {
+        browser.evaluate("(() => { const text = document.querySelector('#text'); text.focus();"
+                + " const end = text.value.split('\\n').slice(0, " + line + ").join('\\n').length;"
+                + " text.setSelectionRange(end, end); })()");
+    }
+
+    private void undo() {
+        browser.click("#undo");
+        window.quiet();
+    }
+
+    @Test
+    void aLineAndItsElementArePickedTogether() throws Exception {
+        lamp();
+        go(LINE_OF_WAIT);
+        browser.await("document.querySelector('.view[data-side=new] .event.taken')?.dataset.source === 'on'");
+        // The plan of the arrow, through the device itself.
+        browser.await("document.querySelector('.plan-says').textContent.includes('wait')");
+        go(LINE_OF_WAIT + 1);
+        browser.await("document.querySelector('.view[data-side=original] .event.plan')?.dataset.source === 'on'");
+        browser.await("document.querySelector('.plan-says').textContent === 'The device: on → off; sends switch'");
+        window.pick("new", "wait");
+        browser.await("document.querySelector('.lines .at .no').textContent === '" + LINE_OF_WAIT + "'");
+        assertThat(browser.complaints).isEmpty();
+        assertThat(browser.requests)
+                .allMatch(request -> request.startsWith("http://127.0.0.1:") || request.startsWith("about:"));
+    }
+
+    @Test
+    void halfTypedTextKeepsTheLastGoodPictureAndMarksTheLine() throws Exception {
+        lamp();
+        go(LINE_OF_WAIT);
+        browser.type("\n    wait --> ");
+        browser.await("document.querySelector('.view[data-side=new]').classList.contains('stale')");
+        assertThat(window.states("new")).isEqualTo("off,on,wait");
+        browser.await("[...document.querySelectorAll('.lines .error .no')].map(no => no.textContent).join() === '"
+                + (LINE_OF_WAIT + 1) + "'");
+        browser.type("on : again");
+        window.awaitArrow("new", "wait", "on", "again");
+        browser.await("!document.querySelector('.stale')");
+    }
+
+    @Test
+    void bothModelsAreDrawnFromNothing() throws Exception {
+        window.open();
+        browser.await("document.activeElement.id === 'begin'");
+        browser.enter();
+        window.awaitState("new", "Off");
+        window.awaitState("original", "Off");
+        for (String side : List.of("original", "new")) {
+            window.addState(side, "Low");
+            window.addState(side, "High");
+            window.drag(side, "Off", "Low", "power");
+            window.drag(side, "Low", "Off", "power");
+            window.drag(side, "Low", "High", "speed");
+            window.drag(side, "High", "Off", "power");
+            window.drag(side, "High", "Low", "speed");
+        }
+        window.drag("original", "High", "Off", "«spontaneous» overheat");
+        window.addState("new", "Breeze");
+        window.drag("new", "Off", "High", "boost");
+        window.drag("new", "Low", "Breeze", "breeze");
+        window.drag("new", "High", "Off", "overheat");
+        window.drag("new", "High", "Breeze", "breeze");
+        window.drag("new", "Breeze", "Off", "power");
+        window.drag("new", "Breeze", "Off", "overheat");
+        window.drag("new", "Breeze", "Off", "tm(30min)");
+        window.save();
+
+        String original = folder.resolve("original.mmd").toString();
+        String evolved = folder.resolve("new.mmd").toString();
+        assertThat(Tool.run("diff", original, evolved).out()).contains("Breeze", "boost");
+        assertThat(Tool.run("check", original, evolved).status()).isZero();
+    }
+
+    @Test
+    void editsAndUndosKeepTextAndPictureEqual() throws Exception {
+        lamp();
+        List<String> texts = new ArrayList<>();
+        List<String> pictures = new ArrayList<>();
+        for (int number = 0; number < 10; number++) {
+            remember(texts, pictures);
+            window.addState("new", "s" + number);
+            remember(texts, pictures);
+            window.drag("new", number == 0 ? "wait" : "s" + (number - 1), "s" + number, "e" + number);
+            remember(texts, pictures);
+            window.pick("new", "s" + number);
+            rename("s" + number, "s" + number + "x");
+            remember(texts, pictures);
+            rename("s" + number + "x", "s" + number);
+        }
+        for (int step = texts.size() - 1; step >= 0; step--) {
+            while (!window.text().equals(texts.get(step))) {
+                undo();
+            }
+            assertThat(window.states("new") + window.arrows("new")).isEqualTo(pictures.get(step));
+        }
+        assertThat(window.text()).isEqualTo(LAMP).contains("%% it goes off by itself");
+        for (int step = 0; step < texts.size() / 2; step++) {
+            browser.click("#redo");
+        }
+        window.quiet();
+        assertThat(window.states("new")).contains("s0");
+    }
+
+    private void remember(List<String> texts, List<String> pictures) {
+        texts.add(window.text());
+        pictures.add(window.states("new") + window.arrows("new"));
+    }
+
+    private void rename(String from, String to) {
+        browser.await("document.querySelector('#state-name')?.value === '" + from + "'");
+        browser.evaluate("document.querySelector('#state-name').select()");
+        window.focus("#state-name");
+        browser.type(to);
+        browser.enter();
+        window.awaitState("new", to);
+    }
+
+    @Test
+    void anOlderAnswerNeverReplacesANewerOne() throws Exception {
+        lamp();
+        CountDownLatch slow = window.hold();
+        go(LINE_OF_WAIT);
+        int before = asked("draw");
+        browser.type("\n    wait --> old");
+        Awaitility.await().until(() -> asked("draw") > before);
+        window.goOn();
+        browser.type("er : b");
+        window.awaitState("new", "older");
+        slow.countDown();
+        window.quiet();
+        assertThat(window.states("new")).isEqualTo("off,older,on,wait");
+        assertThat(window.text()).contains("wait --> older : b");
+    }
+
+    private int asked(String what) {
+        return (int) browser.requests.stream()
+                .filter(request -> request.endsWith("/api/" + what))
+                .count();
+    }
+
+    @Test
+    void aKilledServerTakesNothingAway() throws Exception {
+        lamp();
+        window.kill();
+        go(LINE_OF_WAIT);
+        browser.type("\n    wait --> on : again");
+        browser.await("document.querySelector('#banners').innerText.includes('The studio has ended')");
+        window.startAgain();
+        window.awaitArrow("new", "wait", "on", "again");
+        browser.await("document.querySelector('#banners').innerText === ''");
+        browser.evaluate("location.reload()");
+        window.awaitArrow("new", "wait", "on", "again");
+        window.save();
+        assertThat(folder.resolve("lamp.md")).content().contains("wait --> on : again");
+    }
+
+    @Test
+    void twoWindowsAndTheDiskLoseNothing() throws Exception {
+        lamp();
+        go(LINE_OF_WAIT);
+        browser.type("\n    wait --> on : first");
+        window.awaitArrow("new", "wait", "on", "first");
+        String first = browser.another();
+        browser.looks(1280, 900, false);
+        window.openAnother();
+        window.awaitState("new", "wait");
+        assertThat(window.text()).isEqualTo(LAMP);
+        go(LINE_OF_WAIT);
+        browser.type("\n    wait --> on : second");
+        window.awaitArrow("new", "wait", "on", "second");
+        window.save();
+
+        browser.goOn(first);
+        browser.control("s", 83);
+        browser.await("document.querySelector('#banners').innerText.includes('has changed on the disk')");
+        assertThat(window.text()).contains("first").doesNotContain("second");
+        assertThat(folder.resolve("lamp.md")).content().contains("second").doesNotContain("first");
+        button("#banners", "Take the disk’s");
+        window.awaitArrow("new", "wait", "on", "second");
+        undo();
+        window.awaitArrow("new", "wait", "on", "first");
+        window.save();
+        assertThat(folder.resolve("lamp.md")).content().contains("first").doesNotContain("second");
+    }
+
+    private static void button(String place, String text) {
+        browser.await("[...document.querySelectorAll('" + place + " button')].some(one => one.textContent === '" + text
+                + "')");
+        browser.evaluate("[...document.querySelectorAll('" + place + " button')].find(one => one.textContent === '"
+                + text + "').click()");
+    }
+
+    @Test
+    void aCounterexampleIsPlayedInThePicture() throws Exception {
+        lamp();
+        button("#tools", "Properties");
+        window.focus("#property");
+        browser.type("It is never left on: always not wait");
+        browser.enter();
+        browser.await("document.querySelector('#properties').innerText.includes('Does not hold')");
+        button("#properties", "Play it");
+        browser.await("document.querySelector('#try-new').textContent === 'wait'");
+        browser.await("document.querySelector('.view[data-side=new] .state.now').dataset.state === 'wait'");
+        button("#try", "One back");
+        browser.await("document.querySelector('#try-new').textContent === 'on'");
+        button("#try", "switch");
+        browser.await("document.querySelector('#try-new').textContent === 'wait'");
+        button("#try", "let 2 s pass");
+        browser.await("document.querySelector('#try-new').textContent === 'off'");
+    }
+
+    @Test
+    void theKeyboardAloneSuffices() throws Exception {
+        lamp();
+        window.focus(".view[data-side=\"new\"] .port");
+        browser.key("n", 78);
+        browser.await("document.querySelector('#state-name')?.value === 'off'");
+        browser.key("n", 78);
+        browser.await("document.querySelector('#state-name')?.value === 'on'");
+        browser.key("a", 65);
+        browser.await("document.activeElement.id === 'new-target'");
+        browser.type("w");
+        browser.key("w", 87);
+        window.focus("#new-event");
+        browser.type("wink");
+        browser.enter();
+        browser.await("document.querySelector('#text').value.includes(': wink')");
+        window.quiet();
+        browser.control("z", 90);
+        browser.await("!document.querySelector('#text').value.includes(': wink')");
+        browser.control("y", 89);
+        browser.await("document.querySelector('#text').value.includes(': wink')");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"390,844", "768,1024", "1280,800"})
+    void nothingIsCutAtAnyWidth(int width, int height) throws Exception {
+        for (boolean dark : new boolean[] {false, true}) {
+            browser.looks(width, height, dark);
+            lamp();
+            for (String view : List.of("text", "picture", "try", "properties", "findings")) {
+                browser.evaluate("(document.querySelector('#tools [data-tool=" + view + "]')?.click(),"
+                        + " document.querySelector('#views [data-show=" + view + "]').click())");
+                assertThat(browser.evaluate("String(document.documentElement.scrollWidth - innerWidth)"))
+                        .as(view)
+                        .isEqualTo("0");
+                assertThat(
+                                browser.evaluate(
+                                        "[...document.querySelectorAll('button, input, select')].filter(one =>"
+                                                + " one.offsetParent && one.getBoundingClientRect().height < 30).map(one => one.outerHTML).join()"))
+                        .as(view)
+                        .isEmpty();
+            }
+        }
+    }
+}
