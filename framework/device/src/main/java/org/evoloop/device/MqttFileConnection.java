@@ -12,7 +12,6 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import java.util.regex.Pattern;
 import org.evoloop.config.Secret;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.SystemEventConverter;
@@ -35,8 +34,6 @@ import org.jspecify.annotations.Nullable;
 
 /** A device or a controller behind an MQTT broker, made of a {@link MqttMonitor} and a {@link MqttExecute}. */
 final class MqttFileConnection extends Connection {
-    private static final Pattern NOT_IN_A_LEVEL = Pattern.compile("[+#/\\u0000]");
-
     private final FileModels models;
     private final @Nullable BrokerAddress address;
     private final @Nullable String commandTopic;
@@ -249,13 +246,9 @@ final class MqttFileConnection extends Connection {
         if (opened != null && !functions.containsKey(state.value())) {
             section.problem("a broker's connection that is open takes no further function; restart the converter");
         }
-        functionTopics.put(state.value(), topic == null ? usualTopic(models.converter(), state.value()) : topic);
+        functionTopics.put(
+                state.value(), topic == null ? MqttFunctions.topic(models.converter(), state.value()) : topic);
         return visit -> requireNonNull(functions.get(state.value())).run(visit);
-    }
-
-    private static String usualTopic(String converter, String state) {
-        return "evoloop/" + NOT_IN_A_LEVEL.matcher(converter).replaceAll("_") + "/function/"
-                + NOT_IN_A_LEVEL.matcher(state).replaceAll("_");
     }
 
     @Override

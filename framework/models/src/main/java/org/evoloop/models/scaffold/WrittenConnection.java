@@ -29,12 +29,17 @@ abstract class WrittenConnection {
             return new WrittenHttp(name.value(), field, section);
         } else if (section.has("lines") || section.has("program")) {
             return new WrittenLines(name.value(), field, section);
+        } else if (section.has("webhooks")) {
+            return new WrittenWebhooks(name.value(), field, section);
+        } else if (section.has("gpio")) {
+            return new WrittenPins(name.value(), field, section);
         }
         section.problems()
                 .at(
                         name,
                         "connection " + name + " is of a kind that --from does not turn into Java, which are lines,"
-                                + " program, mqtt and http; keep this file, or leave the connection out and add it in Java");
+                                + " program, mqtt, http, webhooks and gpio; keep this file, or leave the connection out"
+                                + " and add it in Java");
         return null;
     }
 
@@ -120,6 +125,13 @@ abstract class WrittenConnection {
 
     /** What the section {@code device} says about all that is sent. */
     abstract void device(Section device);
+
+    /**
+     * The way to a program that runs the function of a state, as an expression of the constructor.
+     *
+     * @param function the section of the function
+     */
+    abstract String functions(String converter, String state, Section function);
 
     /** What an action does, as an expression of the class {@code Connections} named {@code connections}. */
     abstract String outside(Section action, String values);

@@ -29,11 +29,12 @@ final class WrittenConnections {
     private final Set<String> artifacts = new LinkedHashSet<>();
     private final Set<String> helpers = new TreeSet<>();
     private final Map<String, String> commands = new LinkedHashMap<>();
+    private final Map<String, String> functions = new LinkedHashMap<>();
+    private final JavaNames names = new JavaNames();
     private @Nullable WrittenConnection confirming;
 
     /** @param file of which a connection that has no counterpart here is noted as a mistake */
     WrittenConnections(Section file) {
-        JavaNames names = new JavaNames();
         List.of("clock", "links", "openings", "closings", "connected", "converter")
                 .forEach(names::reserve);
         file.named("connections").forEach((name, section) -> {
@@ -104,6 +105,14 @@ final class WrittenConnections {
                 + duration(section.duration("within").orElse(LIMIT_OF_PROGRAMS)) + ", clock)";
     }
 
+    /** The function of {@code state} that another program runs, as the name of its field. */
+    String function(String converter, String state, Section function) {
+        String field = names.free(JavaNames.small(JavaNames.camel(state, "State")) + "Function");
+        functions.put(field, named(function, "elsewhere").functions(converter, state, function));
+        artifacts.add("evoloop-payload");
+        return field;
+    }
+
     /** An action that {@code section} describes, as a statement. */
     String outside(Section section, String told, String values) {
         String what;
@@ -135,8 +144,9 @@ final class WrittenConnections {
     /** What the class {@code Connections} takes; asked for last, since an action may add to it. */
     Map<String, String> values() {
         Map<String, String> values = new LinkedHashMap<>();
-        values.put("fields", join(WrittenConnection::field));
-        values.put("constructor", join(WrittenConnection::creation));
+        values.put("fields", join(WrittenConnection::field) + functions("    final RemoteFunction %s;\n"));
+        values.put(
+                "constructor", join(WrittenConnection::creation) + functions("        %s = new RemoteFunction(%s);\n"));
         // The one that confirms is there before what it confirms.
         String adding = Stream.concat(Stream.ofNullable(confirming), byName.values().stream())
                 .distinct()
@@ -151,6 +161,12 @@ final class WrittenConnections {
         values.put("adding", adding);
         values.put("methods", helpers.stream().map(Template::text).collect(Collectors.joining()));
         return values;
+    }
+
+    private String functions(String line) {
+        return functions.entrySet().stream()
+                .map(each -> String.format(line, each.getKey(), each.getValue()))
+                .collect(Collectors.joining());
     }
 
     private String join(Function<WrittenConnection, String> part) {

@@ -164,6 +164,11 @@ final class WrittenHttp extends WrittenConnection {
     }
 
     @Override
+    String functions(String converter, String state, Section function) {
+        throw new IllegalStateException("a device that answers requests runs no functions");
+    }
+
+    @Override
     String outside(Section action, String values) {
         return call(action) + ".send(" + values + ", " + WrittenConnections.within(section) + ")";
     }

@@ -139,6 +139,11 @@ final class WrittenLines extends WrittenConnection {
     }
 
     @Override
+    String functions(String converter, String state, Section function) {
+        return variable() + ".functions()";
+    }
+
+    @Override
     String outside(Section action, String values) {
         return "connections." + variable() + ".send("
                 + literal(action.need("line").orElseThrow().value()) + ")";

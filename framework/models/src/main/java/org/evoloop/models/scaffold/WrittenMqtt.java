@@ -52,6 +52,10 @@ final class WrittenMqtt extends WrittenConnection {
         return literal(how.need("payload").orElseThrow().value());
     }
 
+    private String device() {
+        return variable() + "Device";
+    }
+
     @Override
     String shortSend() {
         return "payload";
@@ -64,7 +68,7 @@ final class WrittenMqtt extends WrittenConnection {
 
     @Override
     String field() {
-        return "    final BrokerConnection " + variable() + ";\n";
+        return "    final BrokerConnection " + variable() + ";\n    private final MqttDevice " + device() + ";\n";
     }
 
     @Override
@@ -75,18 +79,14 @@ final class WrittenMqtt extends WrittenConnection {
                 .map(file -> ".withPassword(" + WrittenConnections.secret(section, file) + ")")
                 .orElse("");
         return "        " + variable() + " = new BrokerConnection(\n                " + address + password + ", "
-                + literal("evoloop-" + name() + "-") + " + ProcessHandle.current().pid());\n";
+                + literal("evoloop-" + name() + "-") + " + ProcessHandle.current().pid());\n"
+                + "        " + device() + " = new MqttDevice(" + variable() + ", clock)" + settings + ";\n";
     }
 
     @Override
     String adding() {
         StringBuilder java = new StringBuilder();
-        String device = variable() + "Device";
-        java.append("        MqttDevice ")
-                .append(device)
-                .append(" = new MqttDevice(")
-                .append(variable());
-        java.append(", clock)").append(settings).append(";\n");
+        String device = device();
         stateMeanings.forEach((name, meanings) -> java.append("        Meanings ")
                 .append(name)
                 .append(" = ")
@@ -152,6 +152,14 @@ final class WrittenMqtt extends WrittenConnection {
 
     private void duty(String call) {
         duties.append("\n                ").append(call);
+    }
+
+    @Override
+    String functions(String converter, String state, Section function) {
+        String topic = function.text("topic")
+                .map(given -> literal(given.value()))
+                .orElse("MqttFunctions.topic(" + literal(converter) + ", " + literal(state) + ")");
+        return "new MqttFunctions(" + device() + ", " + topic + ")";
     }
 
     @Override
