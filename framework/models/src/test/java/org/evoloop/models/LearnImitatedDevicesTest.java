@@ -55,10 +55,10 @@ class LearnImitatedDevicesTest {
             Files.writeString(folder.resolve("README.md"), Files.readString(original.resolveSibling("README.md")));
             Path file = Files.writeString(
                     folder.resolve("device.yaml"),
-                    running.in(Files.readString(original)).replaceFirst("settle: [0-9]+ s", "settle: 150 ms"));
+                    running.in(Files.readString(original)).replaceFirst("settle: [0-9]+ s", "settle: 50 ms"));
             CommandLine command = Main.learning();
             command.setOut(new PrintWriter(out, true));
-            assertThat(Main.run(command, file.toString(), "--output=" + learned, "--longest=200 ms"))
+            assertThat(Main.run(command, file.toString(), "--output=" + learned, "--longest=100 ms"))
                     .as(out.toString())
                     .isZero();
             assertThat(imitation.truth()).isEqualTo(drawn.initial().name());
