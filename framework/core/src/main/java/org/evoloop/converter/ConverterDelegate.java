@@ -89,7 +89,7 @@ public interface ConverterDelegate {
 
     ConverterStatus status();
 
-    Outlook outlook();
+    Prospect prospect();
 
     List<HistoryEntry> history();
 

@@ -383,8 +383,8 @@ public final class SystemEventConverter implements AutoCloseable {
      *
      * @throws IllegalStateException if the converter is not built yet
      */
-    public Outlook outlook() {
-        return delegate.outlook();
+    public Prospect prospect() {
+        return delegate.prospect();
     }
 
     /** The last events and their outcomes, oldest first. */

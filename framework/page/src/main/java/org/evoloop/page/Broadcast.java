@@ -40,18 +40,18 @@ final class Broadcast {
      * @param number the number of the update, for the next call
      * @param status see {@link StatusJson}
      * @param readings the readings of device and function with units, and what is wrong, for people
-     * @param outlook see {@link OutlookJson}
+     * @param prospect see {@link ProspectJson}
      * @param last the number of the last event that ended
      * @param events the events that are new to the viewer, oldest first, at most {@value #RECENT}
      */
     record Update(
-            long number, JsonObject status, JsonObject readings, JsonObject outlook, long last, List<Ended> events) {
+            long number, JsonObject status, JsonObject readings, JsonObject prospect, long last, List<Ended> events) {
         /** The update as JSON for the page. */
         String json() {
             return new JsonObject()
                     .put("status", status)
                     .put("readings", readings)
-                    .put("outlook", outlook)
+                    .put("prospect", prospect)
                     .put("last", last)
                     .put("events", events.stream().map(Ended::json).toList())
                     .toString();
@@ -62,7 +62,7 @@ final class Broadcast {
                     number,
                     status,
                     readings,
-                    outlook,
+                    prospect,
                     last,
                     events.stream().filter(event -> event.number > seenEvent).toList());
         }
@@ -202,7 +202,7 @@ final class Broadcast {
                 newest.number() + 1,
                 StatusJson.of(status),
                 readings(status),
-                OutlookJson.of(converter.outlook()),
+                ProspectJson.of(converter.prospect()),
                 last,
                 List.copyOf(recent));
         newestNanos = clock.nanoTime();

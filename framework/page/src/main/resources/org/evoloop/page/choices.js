@@ -44,7 +44,7 @@ function sent(next) {
 }
 
 export function showChoices(page) {
-  known = page.outlook.events.filter(one => one.source === 'controller'
+  known = page.prospect.events.filter(one => one.source === 'controller'
     && (!page.controls || commandFor(page, one.event)));
   renew($('acts'), known.map(one => one.event), () => known.map(({ event }) => {
     const button = holding('button', 'act', element('b', event), element('small'));

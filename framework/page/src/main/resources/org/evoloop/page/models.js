@@ -94,7 +94,7 @@ export function showModels(page) {
   const decision = isOfNow && event.outcome === 'handled' ? event.decision : null;
   const doubt = live && status.doubt;
   const steps = { new: decision?.transition ? [decision.transition] : [], original: decision ? decision.steps : [] };
-  const possible = live && !doubt && status.loop === 'running' ? page.outlook.events.flatMap(next => next.decisions
+  const possible = live && !doubt && status.loop === 'running' ? page.prospect.events.flatMap(next => next.decisions
     .filter(one => one.target).map(one => ({ source: at.new, target: one.target, event: named(next.event, one.guards) }))) : [];
   for (const role of ['new', 'original']) light(page, role, { at: at[role], before: event?.before[role], steps: steps[role], doubt });
   drawings.new.light('may', stepsOf(page, 'new', possible));
@@ -115,7 +115,7 @@ const named = (event, guards) => (guards.length ? `${event} [${guards.join('] ['
 
 function light(page, role, { at, before, steps, doubt }) {
   const drawing = drawings[role];
-  const step = page.outlook.doubtful;
+  const step = page.prospect.doubtful;
   const maybe = doubt ? (step && role === 'original' ? [step.source, step.target] : [at]) : [];
   drawing.mark('now', doubt ? [] : [boxOf(page, role, at)]);
   drawing.mark('doubt', maybe.map(name => boxOf(page, role, name)));
@@ -134,7 +134,7 @@ function light(page, role, { at, before, steps, doubt }) {
 // Around the state, as text: legible at every width, and without a layout.
 function signpost(page, here, taken, withWays) {
   const [last] = taken.filter(one => page.drawn('new', one.target) === here);
-  const ways = withWays ? page.outlook.events.filter(one => one.decisions.some(each => each.target)) : [];
+  const ways = withWays ? page.prospect.events.filter(one => one.decisions.some(each => each.target)) : [];
   const outs = ways.map(one => [one.event, one.source, targets(page, one)]);
   const outer = page.states.new.get(page.status.newState)?.outer ?? '';
   const tone = page.status.doubt && page.isLive() ? 'doubt' : 'now';

@@ -16,16 +16,16 @@ export function targets(page, next) {
 // The timer that ends the state first, then the others.
 function timers(page) {
   return page.status.timers.map(timer => {
-    const next = page.outlook.events.find(one => one.event === timer.event);
+    const next = page.prospect.events.find(one => one.event === timer.event);
     return { event: timer.event, left: timer.remainingMillis, whole: next?.delayMillis ?? 0, due: timer.due, target: targets(page, next) };
   });
 }
 
-const byItself = page => page.outlook.events.filter(one => one.source !== 'controller' && one.source !== 'timer'
+const byItself = page => page.prospect.events.filter(one => one.source !== 'controller' && one.source !== 'timer'
   && one.decisions.some(decision => decision.target));
 
 function doubted(page) {
-  const step = page.outlook.doubtful;
+  const step = page.prospect.doubtful;
   return step && step.source !== step.target ? [step.source, step.target].map(name => page.drawn('original', name)) : [page.here()];
 }
 

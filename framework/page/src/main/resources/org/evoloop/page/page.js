@@ -14,7 +14,7 @@ const page = {
   events: [], // by number, oldest first
   status: null,
   readings: null,
-  outlook: null,
+  prospect: null,
   about: null,
   states: { original: new Map(), new: new Map() },
   controls: null, // what the server offers to one who has given the token
@@ -121,7 +121,7 @@ function listen() {
     page.heardAt = performance.now();
     page.status = update.status;
     page.readings = update.readings;
-    page.outlook = update.outlook;
+    page.prospect = update.prospect;
     const down = update.status.link && !update.status.link.up;
     connected(true, down ? 'no link' : 'live');
     $('connection').classList.toggle('bad', Boolean(down));

@@ -47,6 +47,8 @@ class LitTimeTest {
             for (int other = 1; other < VIEWERS; other++) {
                 browser.call("Target.createTarget", Map.of("url", shown.address() + "/", "background", true));
             }
+            // In a narrow window the state is shown as text instead of a drawing.
+            browser.looks(1280, 900, false);
             browser.open(shown.address() + "/");
             browser.await("document.querySelector('#new .state.now').dataset.state === 'On'");
             browser.evaluate(OBSERVER);

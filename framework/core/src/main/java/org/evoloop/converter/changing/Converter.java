@@ -17,7 +17,7 @@ import org.evoloop.converter.DeviceLink;
 import org.evoloop.converter.EventMonitor;
 import org.evoloop.converter.Evolution;
 import org.evoloop.converter.HistoryEntry;
-import org.evoloop.converter.Outlook;
+import org.evoloop.converter.Prospect;
 import org.evoloop.converter.Shadow;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
@@ -354,8 +354,8 @@ final class Converter implements ConverterDelegate {
     }
 
     @Override
-    public Outlook outlook() {
-        return built().outlook();
+    public Prospect prospect() {
+        return built().prospect();
     }
 
     @Override

@@ -21,8 +21,8 @@ import org.evoloop.converter.EventMonitor;
 import org.evoloop.converter.EventPlan;
 import org.evoloop.converter.Evolution;
 import org.evoloop.converter.EvolutionException;
-import org.evoloop.converter.Outlook;
 import org.evoloop.converter.Probation;
+import org.evoloop.converter.Prospect;
 import org.evoloop.converter.ShadowReport;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.UnknownEffectException;
@@ -139,8 +139,8 @@ public final class ConverterShell implements LoopListener<Occurrence> {
     }
 
     /** What can happen next. */
-    public Outlook outlook() {
-        return driver.outlooks(knowledge(), sendable()).compute();
+    public Prospect prospect() {
+        return driver.prospects(knowledge(), sendable()).compute();
     }
 
     /** Its present knowledge. */

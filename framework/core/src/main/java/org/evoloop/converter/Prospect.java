@@ -20,9 +20,9 @@ import org.evoloop.statemachine.Event;
  *     in doubt for another reason
  * @since 0.1
  */
-public record Outlook(Configuration at, List<Next> events, Optional<Step> doubtful) {
+public record Prospect(Configuration at, List<Next> events, Optional<Step> doubtful) {
     /** Keeps its own list. */
-    public Outlook {
+    public Prospect {
         events = List.copyOf(events);
     }
 

@@ -23,7 +23,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-class OutlookTest {
+class ProspectTest {
     private final AtomicBoolean answers = new AtomicBoolean(true);
     private final AtomicInteger made = new AtomicInteger();
     private final SystemEventConverter converter =
@@ -92,15 +92,15 @@ class OutlookTest {
         Awaitility.await().until(() -> converter.history().size() > before);
     }
 
-    private Outlook.Next next(String event) {
-        return converter.outlook().events().stream()
+    private Prospect.Next next(String event) {
+        return converter.prospect().events().stream()
                 .filter(next -> next.trigger().name().equals(event))
                 .findFirst()
                 .orElseThrow();
     }
 
     private Set<String> events() {
-        return converter.outlook().events().stream()
+        return converter.prospect().events().stream()
                 .map(next -> next.trigger().name())
                 .collect(Collectors.toSet());
     }
@@ -127,7 +127,8 @@ class OutlookTest {
         press("arriveSpot");
         assertThat(next("endSpot").source()).isEqualTo(Source.DEVICE);
         panel.acts("endSpot");
-        Awaitility.await().until(() -> converter.outlook().at().evolved().name().equals("On"));
+        Awaitility.await()
+                .until(() -> converter.prospect().at().evolved().name().equals("On"));
         press("Clean");
         press("Clean");
         assertThat(next("timeout").source()).isEqualTo(Source.TIMER);
@@ -137,10 +138,10 @@ class OutlookTest {
 
     @Test
     void theStepInDoubtIsKnown() {
-        assertThat(converter.outlook().doubtful()).isEmpty();
+        assertThat(converter.prospect().doubtful()).isEmpty();
         answers.set(false);
         press("Clean");
-        Step doubtful = converter.outlook().doubtful().orElseThrow();
+        Step doubtful = converter.prospect().doubtful().orElseThrow();
         assertThat(doubtful.event()).isEqualTo(new Event("Clean"));
         assertThat(doubtful.target().name()).isEqualTo("On");
     }

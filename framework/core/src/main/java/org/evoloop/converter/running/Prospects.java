@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.evoloop.converter.Outlook;
+import org.evoloop.converter.Prospect;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.attachment.Friends;
 import org.evoloop.evolution.Configuration;
@@ -24,14 +24,14 @@ import org.jspecify.annotations.Nullable;
  *
  * @param doubtful the step in doubt; null if it is about none
  */
-record Outlooks(
+record Prospects(
         DecisionTable table, Configuration at, @Nullable Step doubtful, StateKnowledge knowledge, Set<Event> sendable) {
 
-    Outlook compute() {
-        return new Outlook(at, events(), Optional.ofNullable(doubtful));
+    Prospect compute() {
+        return new Prospect(at, events(), Optional.ofNullable(doubtful));
     }
 
-    private List<Outlook.Next> events() {
+    private List<Prospect.Next> events() {
         Map<Event, Duration> timers = Friends.KNOWLEDGE.of(knowledge).timersOf(at.evolved());
         Set<Event> ofControllers = ControllerEvents.of(knowledge, sendable);
         Map<Event, List<Decision>> coming = new LinkedHashMap<>();
@@ -42,8 +42,8 @@ record Outlooks(
                         .add(turn.decision());
             }
         }
-        List<Outlook.Next> events = new ArrayList<>();
-        coming.forEach((event, decisions) -> events.add(new Outlook.Next(
+        List<Prospect.Next> events = new ArrayList<>();
+        coming.forEach((event, decisions) -> events.add(new Prospect.Next(
                 event,
                 timers.containsKey(event)
                         ? Source.TIMER

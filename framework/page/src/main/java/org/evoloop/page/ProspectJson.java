@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.evoloop.converter.Outlook;
+import org.evoloop.converter.Prospect;
 import org.evoloop.engine.codec.DecisionKind;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Step;
@@ -21,16 +21,18 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code doubtful}: {@code source}, {@code event}, {@code target} of the step in doubt; null if there is none
  * </ul>
  */
-final class OutlookJson {
-    private OutlookJson() {}
+final class ProspectJson {
+    private ProspectJson() {}
 
-    static JsonObject of(Outlook outlook) {
+    static JsonObject of(Prospect prospect) {
         return new JsonObject()
-                .put("events", outlook.events().stream().map(OutlookJson::next).toList())
-                .put("doubtful", doubtful(outlook.doubtful()));
+                .put(
+                        "events",
+                        prospect.events().stream().map(ProspectJson::next).toList())
+                .put("doubtful", doubtful(prospect.doubtful()));
     }
 
-    private static JsonObject next(Outlook.Next next) {
+    private static JsonObject next(Prospect.Next next) {
         return new JsonObject()
                 .put("event", next.trigger().name())
                 .put("source", next.source().name().toLowerCase(Locale.ROOT))
@@ -38,7 +40,7 @@ final class OutlookJson {
                 .put("delayMillis", next.delay().map(Duration::toMillis).orElse(0L))
                 .put(
                         "decisions",
-                        next.decisions().stream().map(OutlookJson::decision).toList());
+                        next.decisions().stream().map(ProspectJson::decision).toList());
     }
 
     private static JsonObject decision(Decision decision) {
