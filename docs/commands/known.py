@@ -238,6 +238,8 @@ KNOWN = [
     Known("./evoloop ctl my-fan status", why_not=FOLLOWED),
     Known("./evoloop ctl my-fan exit", why_not=FOLLOWED),
     typed("./evoloop new heater", shows="wrote heater/heater.yaml"),
+    Known("./evoloop studio", run="./evoloop studio --help", shows="--port"),
+    Known("./evoloop studio models --port 8091", run="./evoloop studio --help", shows="--token-file"),
     Known(
         "./evoloop learn --from-journal journal --output fan.mmd",
         run="./evoloop learn --help",

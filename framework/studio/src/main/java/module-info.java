@@ -3,6 +3,7 @@
 module org.evoloop.studio {
     requires static org.jspecify;
     requires jdk.httpserver;
+    requires org.evoloop.config;
     requires org.evoloop.core;
     requires org.evoloop.device;
     requires transitive org.evoloop.page;

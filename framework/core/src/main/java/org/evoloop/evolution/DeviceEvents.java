@@ -70,6 +70,16 @@ public record DeviceEvents(
     }
 
     /**
+     * What is assumed of a device of which only the model is known: every event can be sent but time triggers and those
+     * that it declares to be its own, and every guard can be evaluated.
+     */
+    public static DeviceEvents assumedOf(StateMachine original) {
+        Set<Event> sent = new LinkedHashSet<>(original.triggers());
+        sent.removeAll(new DeviceEvents(Set.of(), Set.of()).declaredBy(original).spontaneous());
+        return new DeviceEvents(sent, Set.of()).withBoundGuards(original.guards());
+    }
+
+    /**
      * A copy that includes the events that {@code original} declares to be the device's own, such as its time triggers.
      */
     public DeviceEvents declaredBy(StateMachine original) {

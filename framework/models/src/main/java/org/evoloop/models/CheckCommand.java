@@ -1,18 +1,13 @@
 package org.evoloop.models;
 
 import java.io.IOException;
-import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.Callable;
-import org.evoloop.check.Check;
 import org.evoloop.check.CheckInput;
 import org.evoloop.check.Finding;
 import org.evoloop.check.Rule;
 import org.evoloop.check.RuleSwitches;
 import org.evoloop.check.RuleSwitches.SwitchedOff;
-import org.evoloop.check.properties.PropertyFile;
-import org.evoloop.check.timing.TimeCheck;
 import org.evoloop.check.timing.TimeReport;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.models.checking.Drawings;
@@ -22,7 +17,7 @@ import org.evoloop.models.checking.FindingsText;
 import org.evoloop.models.checking.SamePlace;
 import org.evoloop.models.diagram.Diagram;
 import org.evoloop.models.diagram.SvgWriter;
-import org.evoloop.models.temporal.PropertyCheck;
+import org.evoloop.models.temporal.PairCheck;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -60,21 +55,14 @@ final class CheckCommand implements Callable<Integer> {
     public Integer call() throws IOException {
         ModelPair pair = options.read();
         CheckInput input = converter.addTo(CheckInput.of(pair).withDevice(options.device(pair)));
-        List<Finding> all = new ArrayList<>(Check.run(input));
-        PropertyFile written = PropertyFile.none();
-        TimeReport times = TimeReport.NONE;
-        if (all.stream().noneMatch(CheckCommand::isNoEvolution)) {
-            written = properties.read(options.evolved(), pair);
-            all.addAll(PropertyCheck.run(input, written));
-            times = TimeCheck.run(input, written.time(), written.file());
-            all.addAll(times.findings());
-            all.sort(Comparator.comparing(Finding::rule));
-            if (!times.note().isEmpty()) {
-                Output.note(spec, times.note());
-            }
-            written.switches().useless(all).forEach(useless -> Output.note(spec, useless));
+        PairCheck check = PairCheck.run(input, () -> properties.read(options.evolved(), pair));
+        List<Finding> all = check.findings();
+        TimeReport times = check.times();
+        if (!times.note().isEmpty()) {
+            Output.note(spec, times.note());
         }
-        RuleSwitches switches = written.switches();
+        check.written().switches().useless(all).forEach(useless -> Output.note(spec, useless));
+        RuleSwitches switches = check.written().switches();
         Drawings drawings = options.drawings(pair);
         List<Finding> findings = SamePlace.merge(switches.left(all), drawings);
         List<SwitchedOff> off = switches.off(all);
@@ -90,14 +78,6 @@ final class CheckCommand implements Callable<Integer> {
             return 2;
         }
         return findings.stream().allMatch(finding -> finding.rule().severity() == Rule.Severity.NOTE) ? 0 : 1;
-    }
-
-    /** Without a valid pair, there are no events to analyse. */
-    private static boolean isNoEvolution(Finding finding) {
-        return switch (finding.rule()) {
-            case CONDITION_1, CONDITION_2, INITIAL_DIFFERS, DEVICE_STATE -> true;
-            default -> false;
-        };
     }
 
     private static String picture(ModelPair pair, List<Finding> findings) {

@@ -66,11 +66,8 @@ final class DeviceOptions {
         Set<Event> own = new LinkedHashSet<>(events("--spontaneous", spontaneous, known));
         Set<Event> sent = new LinkedHashSet<>(events("--sendable", sendable, known));
         if (sendable.isEmpty()) {
-            device.triggers().stream()
-                    .filter(event -> event.timeTrigger().isEmpty())
-                    .forEach(sent::add);
+            sent.addAll(DeviceEvents.assumedOf(device).sendable());
             sent.removeAll(own);
-            sent.removeAll(device.spontaneous());
         }
         Map<Event, Integer> eventCosts = new LinkedHashMap<>();
         costs.forEach(

@@ -77,6 +77,17 @@ public final class Ctl {
                 .call(arguments);
     }
 
+    /**
+     * Runs the client for another program.
+     *
+     * @param out receives the answer
+     * @param err receives messages
+     * @return the exit status
+     */
+    public static int run(List<String> arguments, PrintStream out, PrintStream err) {
+        return new Ctl(new Instances(System.getenv()), out, err, false, Instance.PATIENCE).call(arguments);
+    }
+
     int call(List<String> arguments) {
         int status = answer(arguments);
         if (status == 0 && out.checkError()) {

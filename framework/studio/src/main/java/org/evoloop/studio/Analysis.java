@@ -18,9 +18,9 @@ public interface Analysis {
     /**
      * The findings of both models.
      *
-     * @param properties the text of the properties' file; empty for none
+     * @param properties of the new model
      */
-    JsonObject check(Pair pair, String properties);
+    JsonObject check(Pair pair, Written properties);
 
     /**
      * What the converter does for a transition of the new model.
@@ -29,8 +29,19 @@ public interface Analysis {
      */
     JsonObject plan(Pair pair, String state, String event, String guard);
 
+    /** What becomes of each pair of states if other models replace the running ones. */
+    JsonObject migrate(Pair running, Pair next);
+
     /** Whether a property holds, and if it does not, what shows that. */
     JsonObject property(Pair pair, String property);
+
+    /**
+     * The properties of a new model, as text.
+     *
+     * @param path of their file, for messages
+     * @param text empty for none
+     */
+    record Written(String path, String text) {}
 
     /** How a machine is drawn. */
     record View(Direction direction, Detail detail, String around) {}

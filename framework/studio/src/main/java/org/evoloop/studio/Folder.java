@@ -19,11 +19,14 @@ import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
 import org.evoloop.payload.JsonObject;
 import org.evoloop.statemachine.ModelException;
+import org.evoloop.studio.Analysis.Written;
 import org.evoloop.xmi.ModelFile;
+import org.evoloop.xmi.ModelReference;
 
 /**
  * The folder whose files the studio shows and saves. No path leads out of it: neither an absolute one nor {@code ..} nor
@@ -232,6 +235,16 @@ final class Folder {
         } catch (ModelException reported) {
             throw new ModelException(String.valueOf(reported.getMessage()).replace(file.toString(), path), reported);
         }
+    }
+
+    /** The properties in the file beside a model; empty if there is none. */
+    Written propertiesOf(String path, String machine) {
+        Path model = require(path);
+        Optional<String> name = machine.isEmpty() ? Optional.empty() : Optional.of(machine);
+        Path beside = new ModelReference(model, name).beside(".properties.txt");
+        String relative = root.relativize(beside).toString();
+        return new Written(
+                relative, Files.isRegularFile(beside) ? read(relative).text() : "");
     }
 
     private static String version(byte[] bytes) {

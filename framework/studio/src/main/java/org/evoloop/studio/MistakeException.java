@@ -1,16 +1,25 @@
 package org.evoloop.studio;
 
+import java.util.List;
+
 /** A text is no model. */
 public final class MistakeException extends RuntimeException {
-    private final transient Mistake mistake;
+    private final transient List<Mistake> all;
 
-    MistakeException(Mistake mistake) {
-        super(mistake.path() + ", line " + mistake.line() + ": " + mistake.message());
-        this.mistake = mistake;
+    /** @param all at least one */
+    MistakeException(List<Mistake> all) {
+        super(all.get(0).path() + ", line " + all.get(0).line() + ": "
+                + all.get(0).message());
+        this.all = List.copyOf(all);
     }
 
-    /** What is wrong with it. */
+    /** What is wrong with it first. */
     public Mistake mistake() {
-        return mistake;
+        return all.get(0);
+    }
+
+    /** All that is wrong with it. */
+    public List<Mistake> all() {
+        return all;
     }
 }

@@ -15,6 +15,7 @@ import org.evoloop.statemachine.ModelException;
 import org.evoloop.studio.Analysis.Detail;
 import org.evoloop.studio.Analysis.Direction;
 import org.evoloop.studio.Analysis.View;
+import org.evoloop.studio.Analysis.Written;
 import org.evoloop.xmi.XmiMachine;
 
 /**
@@ -24,6 +25,7 @@ import org.evoloop.xmi.XmiMachine;
  */
 final class Routes {
     private static final int INTERNAL_ERROR = 500;
+    private static final String CONVERTERS = "/api/converters/";
 
     private final Folder folder;
     private final Analysis analysis;
@@ -37,14 +39,21 @@ final class Routes {
     Routes(Folder folder, Analysis analysis) {
         this.folder = folder;
         this.analysis = analysis;
-        this.actions = Map.of(
-                "GET /api/files", request -> files(),
-                "GET /api/file", this::file,
-                "PUT /api/file", this::save,
-                "POST /api/draw", request -> analysis.draw(pair(request), view(request)),
-                "POST /api/check", request -> analysis.check(pair(request), request.text("properties", "")),
-                "POST /api/plan", this::plan,
-                "POST /api/property", request -> analysis.property(pair(request), request.text("property")));
+        this.actions = Map.ofEntries(
+                Map.entry("GET /api/files", request -> files()),
+                Map.entry("GET /api/file", this::file),
+                Map.entry("PUT /api/file", this::save),
+                Map.entry("POST /api/draw", request -> analysis.draw(pair(request), view(request))),
+                Map.entry("POST /api/check", this::check),
+                Map.entry("POST /api/plan", this::plan),
+                Map.entry("POST /api/edit", Edits::edit),
+                Map.entry("POST /api/try", request -> Trial.run(pair(request).flat(), request)),
+                Map.entry(
+                        "POST /api/scenario",
+                        request -> Trial.scenario(pair(request).flat(), request)),
+                Map.entry("POST /api/property", request -> analysis.property(pair(request), request.text("property"))),
+                Map.entry("POST /api/device", this::device),
+                Map.entry("GET /api/converters", request -> Converters.names()));
     }
 
     void answer(HttpExchange exchange) throws IOException {
@@ -70,6 +79,9 @@ final class Routes {
     }
 
     private JsonObject perform(String asked, HttpExchange exchange) throws IOException {
+        if (asked.matches("(?:GET|POST) " + CONVERTERS + "[^/]+")) {
+            return converter(asked, exchange);
+        }
         Action action = actions.get(asked);
         if (action == null) {
             throw new RequestException(RequestException.NOT_FOUND, "there is no " + asked);
@@ -128,8 +140,44 @@ final class Routes {
         return new JsonObject().put("version", version);
     }
 
+    /** The properties are those of the request, or else those in the file beside the new model. */
+    private JsonObject check(JsonRecord request) {
+        Pair pair = pair(request);
+        return analysis.check(
+                pair,
+                request.has("properties")
+                        ? new Written("properties", request.text("properties"))
+                        : folder.propertiesOf(
+                                pair.evolved().path(), pair.evolved().name()));
+    }
+
     private JsonObject plan(JsonRecord request) {
         return analysis.plan(pair(request), request.text("state"), request.text("event"), request.text("guard", ""));
+    }
+
+    private JsonObject device(JsonRecord request) {
+        return DeviceTexts.problems(folder, request.text("path"), request.text("text"), new Texts(folder, request));
+    }
+
+    private JsonObject converter(String asked, HttpExchange exchange) throws IOException {
+        String name = asked.substring(asked.lastIndexOf('/') + 1);
+        if (asked.startsWith("GET")) {
+            return Converters.status(name);
+        }
+        JsonRecord request = JsonRecord.of(PageServer.body(exchange));
+        return request.text("command").equals("migrate") ? migrate(request) : Converters.command(name, request, folder);
+    }
+
+    /** What runs is what is on disk, or the pair that the request names as running. */
+    private JsonObject migrate(JsonRecord request) {
+        Texts saved = new Texts(folder, JsonRecord.of("{}"));
+        JsonRecord running = request.inner("running").orElseGet(() -> inner(request, "pair"));
+        return analysis.migrate(
+                new Pair(source(saved, running, "original"), source(saved, running, "new")), pair(request));
+    }
+
+    private static JsonRecord inner(JsonRecord request, String name) {
+        return request.inner(name).orElseThrow(() -> new RequestException("'" + name + "' is missing"));
     }
 
     private Pair pair(JsonRecord request) {

@@ -45,7 +45,7 @@ public final class Source {
         try {
             return reading.get();
         } catch (ModelException reported) {
-            throw new MistakeException(Mistake.of(path, reported));
+            throw new MistakeException(Mistake.all(path, reported));
         }
     }
 }

@@ -90,10 +90,7 @@ public final class SimulatedDevice {
         }
 
         private Set<String> sendableByModel() {
-            Set<Event> own =
-                    new DeviceEvents(Set.of(), Set.of()).declaredBy(model).spontaneous();
-            return model.triggers().stream()
-                    .filter(trigger -> !own.contains(trigger))
+            return DeviceEvents.assumedOf(model).sendable().stream()
                     .map(Event::name)
                     .collect(Collectors.toSet());
         }

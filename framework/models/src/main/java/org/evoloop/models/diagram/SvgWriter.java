@@ -51,9 +51,10 @@ public final class SvgWriter {
      * below its line, so that it is easily met.
      *
      * @param name of the picture, unique on the page; letters only
+     * @param layouts keeps what can be used again
      */
-    public static String plain(String name, Diagram diagram, boolean down) {
-        Layout layout = ElkLayout.of(diagram, down);
+    public static String plain(String name, Diagram diagram, boolean down, Layouts layouts) {
+        Layout layout = layouts.of(diagram, down);
         String marker =
                 "<marker id=\"arrow-" + name + "\" viewBox=\"0 0 10 10\" refX=\"9\" refY=\"5\" markerWidth=\"10\""
                         + " markerHeight=\"10\" markerUnits=\"userSpaceOnUse\" orient=\"auto\"><path class=\"arrowhead\""

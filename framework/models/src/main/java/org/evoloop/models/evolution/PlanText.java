@@ -66,7 +66,8 @@ public final class PlanText {
                 + (way == null ? (back ? "NO WAY BACK" : "NO OTHER WAY") + ", the device stays there" : then + sent);
     }
 
-    private static String what(Line line, ModelPair pair) {
+    /** How a transition is carried out, in words. */
+    public static String what(Line line, ModelPair pair) {
         String sent = line.sent().stream().map(step -> step.trigger().name()).collect(Collectors.joining(", "));
         return switch (line.kind()) {
             case SAME_EVENT -> "same event " + sent;

@@ -10,6 +10,7 @@ import org.evoloop.models.chart.ChartIndex;
 import org.evoloop.models.diagram.Around;
 import org.evoloop.models.diagram.ChartDiagram;
 import org.evoloop.models.diagram.Diagram;
+import org.evoloop.models.diagram.Layouts;
 import org.evoloop.models.diagram.Overview;
 import org.evoloop.models.diagram.SvgWriter;
 import org.evoloop.payload.JsonObject;
@@ -31,17 +32,19 @@ final class Pictures {
     static final int MOST_ELEMENTS = 600;
 
     private final View view;
+    private final Layouts layouts;
 
-    private Pictures(View view) {
+    private Pictures(View view, Layouts layouts) {
         this.view = view;
+        this.layouts = layouts;
     }
 
-    static JsonObject draw(Pair pair, View view) {
+    static JsonObject draw(Pair pair, View view, Layouts layouts) {
         JsonObject answer = new JsonObject();
         Shown original = read(pair.original(), "original", answer);
         Shown evolved = read(pair.evolved(), "new", answer);
         Tones tones = original == null || evolved == null ? Tones.NONE : tones(original, evolved);
-        Pictures pictures = new Pictures(view);
+        Pictures pictures = new Pictures(view, layouts);
         if (original != null) {
             answer.put("original", pictures.picture("original", original, tones));
         }
@@ -116,7 +119,7 @@ final class Pictures {
         if (wanted.nodes().size() + wanted.edges().size() > MOST_ELEMENTS) {
             throw new RequestException("the model is too large for a picture; split it");
         }
-        return SvgWriter.plain(side, wanted, view.direction() == Direction.DOWN);
+        return SvgWriter.plain(side, wanted, view.direction() == Direction.DOWN, layouts);
     }
 
     private Optional<String> key(Shown shown) {

@@ -75,6 +75,15 @@ final class Shown {
         return flattening().problems().isEmpty() ? Optional.of(flattening().machine()) : Optional.empty();
     }
 
+    /**
+     * The flat machine.
+     *
+     * @throws org.evoloop.studio.MistakeException if there is none
+     */
+    StateMachine require() {
+        return flat().orElseGet(() -> source.read(() -> source.machine().toStateMachine()));
+    }
+
     /** Where the elements of the flat machine are drawn. */
     Drawing drawing() {
         return new Drawing(source.path(), chart, flattening(), flattening().machine());

@@ -1,6 +1,6 @@
 package org.evoloop.models.studio;
 
-import java.util.List;
+import org.evoloop.models.diagram.Layouts;
 import org.evoloop.payload.JsonObject;
 import org.evoloop.studio.Analysis;
 import org.evoloop.studio.Pair;
@@ -11,23 +11,30 @@ import org.evoloop.studio.Pair;
  * <p>Threading: thread-safe.
  */
 public final class StudioAnalysis implements Analysis {
+    private final Layouts layouts = new Layouts();
+
     @Override
     public JsonObject draw(Pair pair, View view) {
-        return Pictures.draw(pair, view);
+        return Pictures.draw(pair, view, layouts);
     }
 
     @Override
-    public JsonObject check(Pair pair, String properties) {
-        return new JsonObject().put("findings", List.<JsonObject>of());
+    public JsonObject check(Pair pair, Written properties) {
+        return Findings.check(pair, properties);
     }
 
     @Override
     public JsonObject plan(Pair pair, String state, String event, String guard) {
-        return new JsonObject().put("words", "").put("steps", List.<JsonObject>of());
+        return Plans.plan(pair, state, event, guard);
+    }
+
+    @Override
+    public JsonObject migrate(Pair running, Pair next) {
+        return Migrations.table(running, next);
     }
 
     @Override
     public JsonObject property(Pair pair, String property) {
-        return new JsonObject().put("holds", true).put("words", "").put("run", List.<JsonObject>of());
+        return Judged.property(pair, property);
     }
 }

@@ -100,6 +100,11 @@ final class Cursor {
         return text.indexOf(later, at) >= 0;
     }
 
+    /** What has been read from {@code column} on. */
+    String since(int column) {
+        return text.substring(column - 1, at);
+    }
+
     /** What is left, to whose end it moves. */
     String rest() {
         String rest = text.substring(at);

@@ -19,7 +19,7 @@ record Label(List<String> triggers, List<String> guards, List<String> effects, b
     static final char BREAK = '\u0001';
 
     private static final Pattern BREAKS = Pattern.compile("\\s*" + BREAK + "[\\s" + BREAK + "]*");
-    private static final List<String> LOCALS = List.of(LOCAL, "<<local>>", "{local}");
+    static final List<String> LOCALS = List.of(LOCAL, "<<local>>", "{local}");
 
     /**
      * @param column of the text's first letter
@@ -74,6 +74,21 @@ record Label(List<String> triggers, List<String> guards, List<String> effects, b
         return clear ? -1 : slash;
     }
 
+    /** Where the guards at the end of a text begin; its length if there are none. */
+    static int guardsAt(String head, Syntax syntax) {
+        int begin = head.length();
+        int end = end(head);
+        while (end > 0 && Marks.closesAt(head, end - 1, syntax)) {
+            int open = Marks.opening(head, end - 1, syntax);
+            if (open < 0) {
+                return begin;
+            }
+            begin = open;
+            end = end(head.substring(0, open));
+        }
+        return begin;
+    }
+
     /** The length of the text without blanks and line breaks at its end. */
     private static int end(String text) {
         int end = text.length();
@@ -100,7 +115,7 @@ record Label(List<String> triggers, List<String> guards, List<String> effects, b
     }
 
     /** The characters that divide a label, where they are not escaped. */
-    private static final class Marks {
+    static final class Marks {
         /** The slash before the effects, outside of guards, brackets and quotation marks; -1 if there is none. */
         static int slash(String text, Syntax syntax) {
             boolean nested = isBalanced(text);

@@ -1,5 +1,6 @@
 package org.evoloop.xmi.text;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
@@ -7,6 +8,7 @@ import java.util.regex.Pattern;
 import org.evoloop.statechart.Statechart;
 import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.xmi.dialect.Problems;
+import org.evoloop.xmi.text.Statement.Mark;
 import org.evoloop.xmi.text.TextState.Naming;
 import org.jspecify.annotations.Nullable;
 
@@ -54,6 +56,7 @@ final class Statements {
     private final TextTree tree;
     private final Ignored ignored;
     private final Behaviors behaviors;
+    private final List<Statement> read = new ArrayList<>();
 
     Statements(TextBlock block, Problems problems) {
         this.block = block;
@@ -98,6 +101,21 @@ final class Statements {
         return tree.chart(title);
     }
 
+    /** The statements that have been understood, in their order. */
+    List<Statement> read() {
+        return read;
+    }
+
+    /** The states with their ids. */
+    TextTree tree() {
+        return tree;
+    }
+
+    private void read(
+            Cursor line, Statement.Kind kind, Scope scope, @Nullable Mark first, @Nullable Mark second, int text) {
+        read.add(new Statement(line.line(), kind, scope, first, second, text, null));
+    }
+
     /** A refused state with contents is closed as well, and that is no second mistake. */
     private void openAllTheSame(String text, int line) {
         if (text.strip().endsWith("{") && text.strip().startsWith("state")) {
@@ -113,11 +131,13 @@ final class Statements {
                 throw new Refusal(column, "Mermaid has regions in states only; write state NAME { before them");
             }
             line.rest();
+            read(line, Statement.Kind.SEPARATOR, tree.scope(), null, null, -1);
             tree.separate(line.line());
         } else if (line.take("}")) {
             if (!tree.close()) {
                 throw new Refusal(column, "} closes no state; remove it");
             }
+            read(line, Statement.Kind.CLOSING, tree.scope(), null, null, -1);
         } else if (isDeclaration(line)) {
             declaration(line);
         } else if (!line.isAt("[") && !syntax.isIdPart(line.letter())) {
@@ -160,6 +180,7 @@ final class Statements {
     private void declaration(Cursor line) throws Refusal {
         int column = line.column();
         String shown = line.take("\"") ? quoted(line, column) : "";
+        Mark name = shown.isEmpty() ? null : new Mark(shown, column, column + shown.length());
         line.hasMore();
         boolean quotedOnly = !shown.isEmpty() && !line.takeWord("as");
         if (quotedOnly && syntax == Syntax.MERMAID) {
@@ -169,6 +190,8 @@ final class Statements {
         int at = line.column();
         String id = quotedOnly ? shown : id(line);
         TextState state = tree.state(id, line.line(), at, Naming.DECLARED);
+        Mark named = quotedOnly ? null : new Mark(id, at - 1, at - 1 + id.length());
+        read.add(new Statement(line.line(), Statement.Kind.DECLARATION, tree.scope(), named, null, -1, name));
         if (!shown.isEmpty()) {
             shown(state, shown, line.line(), column);
         }
@@ -187,6 +210,9 @@ final class Statements {
                 }
                 shown(state, quoted(line, column), line.line(), column);
             } else if (line.take("{")) {
+                read.set(
+                        read.size() - 1,
+                        new Statement(line.line(), Statement.Kind.OPENING, tree.scope(), named, null, -1, name));
                 tree.open(state, line.line(), line.column() - 1);
                 return;
             } else if (line.take(":")) {
@@ -262,21 +288,27 @@ final class Statements {
         if (!id.isEmpty() && !line.isAt("[H")) {
             refuseColon(line, COLON_OF_SOURCE);
             style(line);
+            Mark named = new Mark(id, column - 1, column - 1 + id.length());
             if (!line.hasMore() || line.isAt("}")) {
                 tree.state(id, line.line(), column, Naming.LINKED);
+                read(line, Statement.Kind.DECLARATION, tree.scope(), named, null, -1);
                 return;
             }
             if (line.take(":")) {
+                read(line, Statement.Kind.DESCRIPTION, tree.scope(), named, null, line.column() - 1);
                 text(tree.state(id, line.line(), column, Naming.DESCRIBED), line);
                 return;
             }
         }
         line.backTo(column);
         String source = end(line);
+        Mark first = mark(line, column);
         style(line);
         Arrow arrow = Arrow.read(line, syntax);
         line.hasMore();
+        int there = line.column();
         String target = end(line);
+        Mark second = mark(line, there);
         style(line);
         boolean labelled = line.hasMore() && line.take(":");
         if (!labelled && line.hasMore() && !line.isAt("}") && !(syntax == Syntax.MERMAID && line.isAt("%%"))) {
@@ -285,18 +317,28 @@ final class Statements {
                     Problems.quote(line.ahead().strip()) + " behind the transition is not understood; write a label"
                             + " behind a colon, A --> B : event [guard] / effect");
         }
+        boolean back = arrow == Arrow.BACK;
+        int text = labelled ? line.column() - 1 : -1;
+        read(line, Statement.Kind.ARROW, tree.scope(), back ? second : first, back ? first : second, text);
         Label label = labelled ? label(line) : new Label(List.of(), List.of(), List.of(), false);
         if (arrow == Arrow.HIDDEN) {
             return;
         }
-        String from = arrow == Arrow.BACK ? target : source;
-        String to = arrow == Arrow.BACK ? source : target;
+        String from = back ? target : source;
+        String to = back ? source : target;
         int at = line.line();
         tree.arc(
                 from.isEmpty() ? tree.scope().initial(at) : from,
                 to.isEmpty() ? tree.scope().end(at) : to,
                 label,
                 at);
+    }
+
+    /** The end of an arrow that has been read from {@code column} on. */
+    private static Mark mark(Cursor line, int column) {
+        String end = line.since(column);
+        String id = end.replaceFirst("\\[.*", "");
+        return new Mark(id, column - 1, id.isEmpty() ? line.column() - 1 : column - 1 + id.length());
     }
 
     /** The key of the vertex at the end of an arrow; empty for {@code [*]}. */
@@ -430,7 +472,7 @@ final class Statements {
     }
 
     /** The text with marks in place of each line break, so that columns stay the same. */
-    private static String flat(String text) {
+    static String flat(String text) {
         return text.indexOf('<') < 0 && text.indexOf('\\') < 0
                 ? text
                 : BREAK.matcher(text)

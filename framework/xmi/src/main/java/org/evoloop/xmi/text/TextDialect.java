@@ -52,11 +52,14 @@ public final class TextDialect {
     public static List<DrawnMachine> read(ModelInput input) {
         String file = input.file();
         String text = decode(file, input.all(MAX_BYTES));
+        return blocks(file, text).stream().<DrawnMachine>map(TextMachine::new).toList();
+    }
+
+    static List<TextBlock> blocks(String file, String text) {
         TextFile.Kind kind = file.toLowerCase(Locale.ROOT).matches(".*\\.(md|markdown)")
                 ? TextFile.Kind.MARKDOWN
                 : TextFile.Kind.of(text);
-        return new TextFile(file, text, kind)
-                .blocks().stream().<DrawnMachine>map(TextMachine::new).toList();
+        return new TextFile(file, text, kind).blocks();
     }
 
     /** A byte order mark: the encoding, and its length. */

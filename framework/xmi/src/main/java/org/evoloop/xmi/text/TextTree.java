@@ -21,6 +21,7 @@ import org.evoloop.statechart.Vertex.Pseudostate;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.xmi.dialect.Condition;
 import org.evoloop.xmi.dialect.Problems;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What the lines of a diagram have said so far: its states, their regions, and the transitions.
@@ -75,6 +76,22 @@ final class TextTree {
         }
         state.mention(scope(), line, column, naming, syntax);
         return state;
+    }
+
+    /** The state with this id; null if no line names it. */
+    @Nullable
+    TextState known(String id) {
+        return states.get(id);
+    }
+
+    /** All states, by their ids. */
+    Map<String, TextState> states() {
+        return states;
+    }
+
+    /** The diagram's own first region. */
+    Scope top() {
+        return tops.get(0);
     }
 
     private void requireRoom(int line) {

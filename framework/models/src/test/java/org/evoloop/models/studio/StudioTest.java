@@ -1,0 +1,455 @@
+package org.evoloop.models.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpRequest.BodyPublishers;
+import java.net.http.HttpResponse;
+import java.net.http.HttpResponse.BodyHandlers;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.evoloop.studio.Studio;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** The studio's answers, over HTTP. */
+class StudioTest {
+    private static final JsonMapper JSON = new JsonMapper();
+    private static final String LAMP = """
+            # A lamp
+            ```mermaid
+            ---
+            title: original
+            ---
+            stateDiagram-v2
+                [*] --> off
+                off --> on : switch
+                on --> off : switch
+            ```
+            ```mermaid
+            ---
+            title: new
+            ---
+            stateDiagram-v2
+                [*] --> off
+                off --> on : switch
+                on --> wait : switch
+                wait --> off : tm(2s)
+                wait --> warm : switch
+                warm --> off : switch
+            ```
+            """;
+
+    @TempDir
+    private Path folder;
+
+    private Studio studio;
+    private final HttpClient http = HttpClient.newHttpClient();
+    private String origin = "";
+    private String cookie = "";
+
+    @BeforeEach
+    void open() throws Exception {
+        Files.writeString(folder.resolve("lamp.md"), LAMP);
+        studio = Studio.open(folder, 0, null, new StudioAnalysis());
+        String address = studio.address().toString();
+        origin = address.replaceFirst("/#.*", "");
+        HttpResponse<String> admitted = send("POST", "/session", address.replaceFirst(".*token=", ""), origin);
+        cookie = admitted.headers().firstValue("Set-Cookie").orElseThrow().replaceFirst(";.*", "");
+    }
+
+    @AfterEach
+    void close() {
+        studio.close();
+    }
+
+    private HttpResponse<String> send(String method, String path, String body, String from)
+            throws IOException, InterruptedException {
+        HttpRequest.Builder request = HttpRequest.newBuilder(URI.create(origin + path))
+                .method(method, method.equals("GET") ? BodyPublishers.noBody() : BodyPublishers.ofString(body))
+                .header("Cookie", cookie.isEmpty() ? "none=" : cookie);
+        if (!method.equals("GET")) {
+            request.header("Origin", from);
+        }
+        return http.send(request.build(), BodyHandlers.ofString());
+    }
+
+    private JsonNode ask(int status, String method, String path, Object body) throws IOException, InterruptedException {
+        HttpResponse<String> answer = send(method, path, JSON.writeValueAsString(body), origin);
+        assertThat(answer.statusCode()).as(answer.body()).isEqualTo(status);
+        return JSON.readTree(answer.body());
+    }
+
+    private JsonNode post(String path, Object body) throws IOException, InterruptedException {
+        return ask(200, "POST", path, body);
+    }
+
+    private static Map<String, Object> pair(String... texts) {
+        return Map.of(
+                "original", Map.of("path", "lamp.md", "name", "original"),
+                "new", Map.of("path", "lamp.md", "name", "new"),
+                "texts", texts.length == 0 ? Map.of() : Map.of("lamp.md", texts[0]));
+    }
+
+    private static List<String> all(JsonNode list, String name) {
+        return list.valueStream().map(each -> each.path(name).asString("")).toList();
+    }
+
+    @Test
+    void itListsAndReadsTheFilesOfTheFolder() throws Exception {
+        Files.writeString(folder.resolve("fan.yaml"), "converter: fan\n");
+        Files.writeString(folder.resolve("notes.md"), "no model\n");
+        Files.createDirectories(folder.resolve(".hidden"));
+        Files.writeString(folder.resolve(".hidden/x.mmd"), LAMP);
+        JsonNode files = ask(200, "GET", "/api/files", "").path("files");
+        assertThat(all(files, "path")).containsExactly("fan.yaml", "lamp.md");
+        assertThat(files.path(1).path("machines").toString()).isEqualTo("[\"original\",\"new\"]");
+        assertThat(ask(200, "GET", "/api/file?path=lamp.md", "").path("text").asString())
+                .isEqualTo(LAMP);
+    }
+
+    @Test
+    void whatIsSavedReplacesOnlyWhatWasRead() throws Exception {
+        String version =
+                ask(200, "GET", "/api/file?path=lamp.md", "").path("version").asString();
+        JsonNode saved = ask(200, "PUT", "/api/file", Map.of("path", "lamp.md", "text", "mine", "version", version));
+        assertThat(folder.resolve("lamp.md")).hasContent("mine");
+        assertThat(saved.path("version").asString()).isNotEqualTo(version);
+        JsonNode conflict =
+                ask(409, "PUT", "/api/file", Map.of("path", "lamp.md", "text", "theirs", "version", version));
+        assertThat(conflict.path("text").asString()).isEqualTo("mine");
+        assertThat(conflict.path("version")).isEqualTo(saved.path("version"));
+        assertThat(folder.resolve("lamp.md")).hasContent("mine");
+        ask(200, "PUT", "/api/file", Map.of("path", "new/fan.mmd", "text", "x", "version", ""));
+        assertThat(folder.resolve("new/fan.mmd")).hasContent("x");
+        assertThat(folder.resolve("new").toFile().list()).containsExactly("fan.mmd");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "../lamp.md",
+                "/etc/hosts.md",
+                "a/../../lamp.md",
+                "link.md",
+                "away/lamp.md",
+                ".hidden.md",
+                "passwd",
+                "",
+                "a\\..\\b.md",
+                "a\u0000.md"
+            })
+    void nothingOutsideOfTheFolderIsReadOrWritten(String path, @TempDir Path outside) throws Exception {
+        Files.writeString(outside.resolve("lamp.md"), LAMP);
+        Files.createSymbolicLink(folder.resolve("link.md"), outside.resolve("lamp.md"));
+        Files.createSymbolicLink(folder.resolve("away"), outside);
+        ask(403, "PUT", "/api/file", Map.of("path", path, "text", "x", "version", ""));
+        ask(
+                403,
+                "POST",
+                "/api/draw",
+                Map.of("pair", Map.of("original", Map.of("path", path), "new", Map.of("path", path))));
+        ask(
+                403,
+                "POST",
+                "/api/check",
+                Map.of(
+                        "pair",
+                        Map.of(
+                                "original",
+                                Map.of("path", "lamp.md"),
+                                "new",
+                                Map.of("path", "lamp.md"),
+                                "texts",
+                                Map.of(path, "x"))));
+        assertThat(outside.resolve("lamp.md")).hasContent(LAMP);
+    }
+
+    @Test
+    void foreignPagesAndClientsWithoutTheTokenAreRefused() throws Exception {
+        assertThat(send("POST", "/api/draw", "{}", "http://example.org").statusCode())
+                .isEqualTo(403);
+        cookie = "";
+        assertThat(send("POST", "/api/draw", "{}", origin).statusCode()).isEqualTo(401);
+        assertThat(send("GET", "/api/files", "", origin).statusCode()).isEqualTo(401);
+        assertThat(send("GET", "/", "", origin).statusCode()).isEqualTo(200);
+    }
+
+    @Test
+    void aRequestThatIsTooLargeOrMakesNoSenseIsAnswered() throws Exception {
+        ask(400, "POST", "/api/draw", Map.of());
+        ask(400, "POST", "/api/draw", Map.of("pair", pair(), "view", "sideways"));
+        assertThat(send("POST", "/api/draw", "[", origin).statusCode()).isEqualTo(400);
+        ask(404, "POST", "/api/nothing", Map.of());
+        assertThat(send("POST", "/api/draw", " ".repeat((4 << 20) + 1), origin).statusCode())
+                .isEqualTo(413);
+    }
+
+    @Test
+    void bothModelsAreDrawnWithWhatIsAddedAndRerouted() throws Exception {
+        JsonNode drawn = post("/api/draw", Map.of("pair", pair(), "direction", "down"));
+        JsonNode evolved = drawn.path("new");
+        assertThat(evolved.path("svg").asString())
+                .contains("data-state=\"warm\"", "data-line=\"19\"", "class=\"state added\"")
+                .doesNotContain("<style>", "#333");
+        assertThat(all(evolved.path("states"), "tone")).containsExactly("", "", "added", "added");
+        assertThat(all(evolved.path("transitions"), "tone"))
+                .containsExactly("", "", "rerouted", "added", "added", "added");
+        assertThat(evolved.path("transitions").path(2).path("line").asInt()).isEqualTo(18);
+        assertThat(all(drawn.path("original").path("states"), "name")).containsExactly("off", "on");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"down", "right"})
+    void aPictureDoesNotTurnWhileOneTypes(String direction) throws Exception {
+        String text = LAMP;
+        for (int i = 0; i < 6; i++) {
+            text = text.replace(
+                    "    warm --> off : switch\n", "    warm --> off : switch\n    warm --> s" + i + " : e" + i + "\n");
+            String svg = post("/api/draw", Map.of("pair", pair(text), "direction", direction))
+                    .path("new")
+                    .path("svg")
+                    .asString();
+            double[] off = place(svg, "off");
+            double[] warm = place(svg, "warm");
+            boolean isDown = warm[1] - off[1] > Math.abs(warm[0] - off[0]);
+            assertThat(isDown).isEqualTo(direction.equals("down"));
+        }
+    }
+
+    private static double[] place(String svg, String state) {
+        String[] box = svg.replaceFirst(
+                        "(?s).*data-state=\"" + state + "\"[^>]*>\\s*<rect[^>]* x=\"([0-9.]+)\" y=\"([0-9.]+)\".*",
+                        "$1 $2")
+                .split(" ", -1);
+        return new double[] {Double.parseDouble(box[0]), Double.parseDouble(box[1])};
+    }
+
+    @Test
+    void aHalfTypedTextGivesTheMistakeAndItsLine() throws Exception {
+        JsonNode drawn = post("/api/draw", Map.of("pair", pair(LAMP.replace("on --> wait : switch", "on -> wai"))));
+        assertThat(drawn.path("new").path("mistake").path("line").asInt()).isEqualTo(18);
+        assertThat(drawn.path("new").path("mistake").path("message").asString()).contains("-->");
+        assertThat(drawn.path("original").has("svg")).isTrue();
+        JsonNode findings = post("/api/check", Map.of("pair", pair(LAMP.replace("on --> wait : switch", "on -> wai"))))
+                .path("findings");
+        assertThat(findings.path(0).path("line").asInt()).isEqualTo(18);
+    }
+
+    @Test
+    void theOverviewClosesStatesAndAStateHasItsSurroundings() throws Exception {
+        String text =
+                "stateDiagram-v2\n [*] --> A\n state A {\n  [*] --> In\n  In --> In2 : e\n }\n A --> B : f\n A --> B : g\n B --> C : h\n";
+        Files.writeString(
+                folder.resolve("lamp.md"),
+                text.transform(t -> "```mermaid\n---\ntitle: original\n---\n" + t
+                        + "```\n```mermaid\n---\ntitle: new\n---\n" + t + "```\n"));
+        String overview = post("/api/draw", Map.of("pair", pair(), "view", "overview"))
+                .path("new")
+                .path("svg")
+                .asString();
+        assertThat(overview).doesNotContain("data-state=\"In\"").contains("data-event=\"f g\"", ">f, g<");
+        String around = post("/api/draw", Map.of("pair", pair(), "view", "around", "around", "In"))
+                .path("new")
+                .path("svg")
+                .asString();
+        assertThat(around)
+                .contains("data-state=\"A\"", "data-state=\"B\"", "data-event=\"e\"")
+                .doesNotContain("data-state=\"C\"");
+    }
+
+    @Test
+    void findingsHaveTheirLineAndARunThatShowsThem() throws Exception {
+        String trap = LAMP.replace("    warm --> off : switch\n", "");
+        JsonNode found = post("/api/check", Map.of("pair", pair(trap), "properties", "Off: always can off\n"))
+                .path("findings");
+        assertThat(all(found, "rule")).contains("trap-state", "property");
+        JsonNode property = found.valueStream()
+                .filter(each -> each.path("rule").asString().equals("property"))
+                .findFirst()
+                .orElseThrow();
+        assertThat(property.path("run").toString())
+                .isEqualTo("[{\"press\":\"switch\"},{\"press\":\"switch\"},{\"press\":\"switch\"}]");
+        JsonNode state = found.valueStream()
+                .filter(each -> each.path("rule").asString().equals("trap-state"))
+                .findFirst()
+                .orElseThrow();
+        assertThat(state.path("line").asInt()).isEqualTo(20);
+        assertThat(state.path("state").asString()).isEqualTo("warm");
+        JsonNode unclear = post("/api/check", Map.of("pair", pair(), "properties", "\nOff: always kann off\n"))
+                .path("findings");
+        assertThat(unclear.path(0).path("line").asInt()).isEqualTo(2);
+    }
+
+    @Test
+    void thePlanOfATransitionNamesThoseOfTheDevice() throws Exception {
+        JsonNode plan = post("/api/plan", Map.of("pair", pair(), "state", "wait", "event", "tm(2s)"));
+        assertThat(plan.path("words").asString()).isEqualTo("path switch (on --switch--> off)");
+        assertThat(plan.path("steps").path(0).path("id").asString()).isEqualTo("t9");
+        assertThat(post("/api/plan", Map.of("pair", pair(), "state", "on", "event", "switch"))
+                        .path("function")
+                        .asString())
+                .isEqualTo("wait");
+    }
+
+    @Test
+    void anEditComesBackAsText() throws Exception {
+        JsonNode edited = post(
+                "/api/edit",
+                Map.of(
+                        "path", "lamp.md",
+                        "text", LAMP,
+                        "machine", "original",
+                        "other", "new",
+                        "edit", Map.of("kind", "rename-state", "from", "on", "to", "bright")));
+        assertThat(edited.path("text").asString())
+                .contains("    off --> bright : switch\n    bright --> off : switch", "bright --> wait")
+                .doesNotContain("on :", " on ");
+        JsonNode refused = ask(
+                422,
+                "POST",
+                "/api/edit",
+                Map.of(
+                        "path",
+                        "lamp.md",
+                        "text",
+                        LAMP,
+                        "machine",
+                        "new",
+                        "edit",
+                        Map.of("kind", "add-state", "name", "on")));
+        assertThat(refused.path("refused").asString()).contains("already");
+        for (String dialect : List.of("mermaid", "markdown", "plantuml", "scxml")) {
+            assertThat(post("/api/edit", Map.of("path", "x", "edit", Map.of("kind", "new-file", "dialect", dialect)))
+                            .path("text")
+                            .asString())
+                    .contains("Off");
+        }
+    }
+
+    @Test
+    void aRunIsPlayedByTheCoreAndItsDevice() throws Exception {
+        JsonNode tried = post(
+                "/api/try",
+                Map.of("pair", pair(), "run", List.of(Map.of("press", "switch"), Map.of("press", "switch"))));
+        assertThat(tried.path("states").toString()).isEqualTo("{\"original\":\"on\",\"new\":\"wait\"}");
+        assertThat(all(tried.path("possible"), "press")).contains("switch");
+        assertThat(all(tried.path("possible"), "after")).contains("2000 ms");
+        JsonNode later = post(
+                "/api/try",
+                Map.of(
+                        "pair",
+                        pair(),
+                        "run",
+                        List.of(Map.of("press", "switch"), Map.of("press", "switch"), Map.of("after", "2 s"))));
+        assertThat(later.path("states").toString()).isEqualTo("{\"original\":\"off\",\"new\":\"off\"}");
+        assertThat(later.path("steps").path(2).path("sent").toString()).isEqualTo("[\"switch\"]");
+        assertThat(later.path("time").asString()).isEqualTo("2000 ms");
+        ask(400, "POST", "/api/try", Map.of("pair", pair(), "run", List.of(Map.of("after", "9999 h"))));
+    }
+
+    @Test
+    void aRunIsAScenarioOfADeviceFile() throws Exception {
+        List<Map<String, String>> run =
+                List.of(Map.of("press", "switch"), Map.of("press", "switch"), Map.of("after", "2 s"));
+        String yaml = post("/api/scenario", Map.of("pair", pair(), "run", run, "title", "a short press: off"))
+                .path("yaml")
+                .asString();
+        String file = """
+                converter: lamp
+                models:
+                  original: lamp.md#original
+                  new: lamp.md#new
+                connections:
+                  lamp:
+                    lines: "tcp://localhost:5000"
+                device:
+                  send: {switch: S}
+                functions:
+                  warm: {}
+                scenarios:
+                """;
+        assertThat(post("/api/device", Map.of("path", "lamp.yaml", "text", file + yaml))
+                        .path("problems")
+                        .toString())
+                .isEqualTo("[]");
+        JsonNode wrong = post(
+                        "/api/device",
+                        Map.of("path", "lamp.yaml", "text", file + yaml.replace("state: wait", "state: warm")))
+                .path("problems");
+        assertThat(wrong.path(0).path("message").asString()).contains("state is wait");
+        JsonNode misspelt = post(
+                        "/api/device",
+                        Map.of(
+                                "path",
+                                "lamp.yaml",
+                                "text",
+                                file.replace("switch: S", "swich: S"),
+                                "texts",
+                                Map.of("lamp.md", LAMP)))
+                .path("problems");
+        assertThat(misspelt.path(0).path("line").asInt()).isEqualTo(9);
+    }
+
+    @Test
+    void aPropertyHoldsOrIsPlayed() throws Exception {
+        assertThat(post("/api/property", Map.of("pair", pair(), "property", "always can off"))
+                        .path("holds")
+                        .asBoolean())
+                .isTrue();
+        JsonNode fails = post("/api/property", Map.of("pair", pair(), "property", "never wait"));
+        assertThat(fails.path("holds").asBoolean()).isFalse();
+        assertThat(fails.path("run")).hasSize(2);
+        assertThat(post("/api/property", Map.of("pair", pair(), "property", "quick: wait never longer than 2 s"))
+                        .path("holds")
+                        .asBoolean())
+                .isTrue();
+        ask(400, "POST", "/api/property", Map.of("pair", pair(), "property", "whatever"));
+    }
+
+    @Test
+    void aTableShowsWhatBecomesOfTheSavedModelsInTheUnsavedOnes() throws Exception {
+        JsonNode table =
+                post("/api/converters/lamp", Map.of("command", "migrate", "pair", pair(LAMP.replace("warm", "cosy"))));
+        assertThat(table.path("words").asString()).contains("(on, wait)  maps to (on, wait)");
+        assertThat(table.path("table").isObject()).isTrue();
+    }
+
+    @Test
+    void aConverterThatDoesNotRunIsSaid() throws Exception {
+        assertThat(ask(200, "GET", "/api/converters", "").has("names")).isTrue();
+        assertThat(ask(422, "POST", "/api/converters/nobody-here", Map.of("command", "rollback"))
+                        .path("error")
+                        .asString())
+                .contains("no instance named nobody-here");
+    }
+
+    @Test
+    void aModelTooLargeForAPictureIsSaidAtOnce() throws Exception {
+        StringBuilder text = new StringBuilder("```mermaid\n---\ntitle: original\n---\nstateDiagram-v2\n[*] --> s0\n");
+        for (int i = 0; i < 700; i++) {
+            text.append("s")
+                    .append(i)
+                    .append(" --> s")
+                    .append((i * 7 + 1) % 700)
+                    .append(" : e")
+                    .append(i % 30)
+                    .append('\n');
+        }
+        String large = text + "```\n" + text.toString().replace("original", "new") + "```\n";
+        JsonNode drawn = post("/api/draw", Map.of("pair", pair(large)));
+        assertThat(drawn.path("new").path("tooLarge").asString()).contains("too many");
+        assertThat(drawn.path("new").path("states")).hasSize(700);
+    }
+}
