@@ -54,8 +54,11 @@ final class StudioCommand implements Callable<Integer> {
         if (port < 0 || port > HIGHEST_PORT) {
             throw new IllegalArgumentException("--port takes a port, 0 to " + HIGHEST_PORT + ", not " + port);
         }
-        try (Studio studio = Studio.open(directory, port, tokenFile, new StudioAnalysis())) {
+        StudioAnalysis analysis = new StudioAnalysis();
+        try (Studio studio = Studio.open(directory, port, tokenFile, analysis)) {
             Output.print(spec, studio.address() + "\n");
+            // While the browser is being opened, so that the first picture is there at once.
+            analysis.prepare();
             new CountDownLatch(1).await();
         }
         return 0;
