@@ -7,6 +7,7 @@ import { ask } from './server.js';
 
 const PAUSE = 800; // milliseconds, after which typing is another step
 const MOST_STEPS = 1000;
+const SOON = 1000; // milliseconds, in which a browser says which windows there are
 
 export class Store extends EventTarget {
   #directory = '';
@@ -51,7 +52,10 @@ export class Store extends EventTarget {
     const { text, version } = await ask('GET', `/api/file?path=${encodeURIComponent(path)}`)
       .catch(failure => { if (failure.status === 404) return { text: null, version: '' }; throw failure; });
     const one = { path, kind, text: text ?? '', saved: text, version, conflict: null, left: [] };
-    const drafts = await this.#drafts(path);
+    // What an open window types is its own, unless there is nothing else of this file.
+    const known = await this.#drafts(path);
+    const closed = known.filter(draft => !draft.alive);
+    const drafts = closed.length || text !== null ? closed : known.slice(0, 1);
     if (drafts.length) {
       const [mine, ...others] = drafts;
       if (mine.version !== version && mine.text !== text) one.conflict = { text: text ?? '', version };
@@ -60,7 +64,7 @@ export class Store extends EventTarget {
     }
     this.documents.set(path, one);
     this.#keep(one);
-    for (const draft of drafts) if (draft.key !== this.#key(path) && draft.text === one.text) localStorage.removeItem(draft.key);
+    for (const draft of closed) if (draft.key !== this.#key(path) && draft.text === one.text) localStorage.removeItem(draft.key);
     this.#tell();
     return one;
   }
@@ -195,14 +199,14 @@ export class Store extends EventTarget {
     return Object.keys(localStorage).filter(key => key.startsWith(prefix));
   }
 
-  // What this window and those that are closed have typed: mine first, then the newest.
+  // What was typed in this and in other windows: mine first, then the newest.
   async #drafts(path) {
-    const { held } = await navigator.locks.query();
-    const alive = new Set(held.map(lock => lock.name));
+    const { held } = await Promise.race([navigator.locks.query(), new Promise(done => setTimeout(done, SOON, { held: null }))]);
+    const names = held && new Set(held.map(lock => lock.name));
+    const mine = this.#key(path);
     return this.#keys(path)
-      .filter(key => key === this.#key(path) || !alive.has(lockOf(key.slice(key.lastIndexOf('|') + 1))))
-      .map(key => ({ key, ...JSON.parse(localStorage.getItem(key)) }))
-      .sort((a, b) => (b.key === this.#key(path)) - (a.key === this.#key(path)) || b.at - a.at);
+      .map(key => ({ key, alive: key !== mine && (!names || names.has(lockOf(key.slice(key.lastIndexOf('|') + 1)))), ...JSON.parse(localStorage.getItem(key)) }))
+      .sort((a, b) => (b.key === mine) - (a.key === mine) || b.at - a.at);
   }
 
   #keep(one) {

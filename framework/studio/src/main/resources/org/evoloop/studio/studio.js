@@ -397,10 +397,11 @@ function theme(name) {
 function keys(key) {
   const command = key.ctrlKey || key.metaKey;
   const letter = key.key.toLowerCase();
+  const field = key.target.matches('input, select') && key.target.value !== key.target.dataset.sent;
   const typing = key.target.matches('input, select') || key.target.closest('dialog');
   const does = command && letter === 's' ? saveAll
-    : command && letter === 'z' && !typing ? () => moved(key.shiftKey ? store.redo() : store.undo())
-    : command && letter === 'y' && !typing ? () => moved(store.redo())
+    : command && letter === 'z' && !field && !key.target.closest('dialog') ? () => moved(key.shiftKey ? store.redo() : store.undo())
+    : command && letter === 'y' && !field && !key.target.closest('dialog') ? () => moved(store.redo())
     : command || key.altKey || typing || key.target.matches('textarea') ? null
     : { s: () => strip.addState(side(key)), a: () => strip.arrow(side(key), picked?.side === side(key) ? picked.state?.name : undefined), delete: () => $('#delete')?.click(), f2: () => ($('#state-name') ?? $('#trigger'))?.focus() }[letter];
   if (!does) return;

@@ -274,6 +274,21 @@ class StudioPageTest {
         assertThat(folder.resolve("lamp.md")).content().contains("first").doesNotContain("second");
     }
 
+    @Test
+    void whatAClosedWindowHasTypedIsTakenOver() throws Exception {
+        lamp();
+        go(LINE_OF_WAIT);
+        browser.type("\n    wait --> on : again");
+        window.awaitArrow("new", "wait", "on", "again");
+        browser.open("about:blank");
+        browser.await("location.href === 'about:blank'");
+        browser.another();
+        browser.looks(1280, 900, false);
+        window.openAnother();
+        window.awaitArrow("new", "wait", "on", "again");
+        assertThat(folder.resolve("lamp.md")).content().isEqualTo(LAMP);
+    }
+
     private static void button(String place, String text) {
         browser.await("[...document.querySelectorAll('" + place + " button')].some(one => one.textContent === '" + text
                 + "')");
@@ -332,9 +347,9 @@ class StudioPageTest {
             for (String view : List.of("text", "picture", "try", "properties", "findings")) {
                 browser.evaluate("(document.querySelector('#tools [data-tool=" + view + "]')?.click(),"
                         + " document.querySelector('#views [data-show=" + view + "]').click())");
-                assertThat(browser.evaluate("String(document.documentElement.scrollWidth - innerWidth)"))
+                assertThat(browser.evaluate("String(Math.max(innerWidth, document.documentElement.scrollWidth))"))
                         .as(view)
-                        .isEqualTo("0");
+                        .isEqualTo(String.valueOf(width));
                 assertThat(
                                 browser.evaluate(
                                         "[...document.querySelectorAll('button, input, select')].filter(one =>"
