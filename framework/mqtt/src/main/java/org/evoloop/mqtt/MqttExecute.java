@@ -2,7 +2,6 @@ package org.evoloop.mqtt;
 
 import java.io.IOException;
 import java.time.Duration;
-import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -13,6 +12,7 @@ import org.evoloop.evolution.Step;
 import org.evoloop.payload.Meanings;
 import org.evoloop.payload.Rest;
 import org.evoloop.payload.Template;
+import org.evoloop.payload.report.ConfirmedSending;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
@@ -40,17 +40,7 @@ import org.jspecify.annotations.Nullable;
 public class MqttExecute extends EventExecute {
     private final MqttDevice device;
     private final Map<String, Command> commands;
-    private final Reports confirmations;
-    private final Reports answers;
-    private final Set<Aftermath> aftermaths = new LinkedHashSet<>();
-
-    /** The state to which the last step leads, if it was not confirmed; else empty. */
-    private volatile String awaited = "";
-
-    /** Until when it may still have its effect. */
-    private volatile long untilNanos;
-
-    private @Nullable Duration confirmed;
+    private final ConfirmedSending sending;
     private @Nullable Question question;
     private Rest rest;
 
@@ -73,8 +63,7 @@ public class MqttExecute extends EventExecute {
         this.device = device;
         this.commands = messages.entrySet().stream()
                 .collect(Collectors.toUnmodifiableMap(Map.Entry::getKey, entry -> new Command(entry.getValue())));
-        this.confirmations = new Reports(device);
-        this.answers = new Reports(device);
+        this.sending = new ConfirmedSending(device.reporting());
         this.rest = new Rest(device.clock(), Duration.ZERO);
     }
 
@@ -87,9 +76,7 @@ public class MqttExecute extends EventExecute {
      * @param limit the time limit from publishing to the report
      */
     public final MqttExecute confirmedBy(String topic, Meanings states, Duration limit) {
-        aftermaths.add(device.connection().aftermath(topic));
-        confirmations.subscribe(topic, states);
-        confirmed = Clock.requireDelay(limit);
+        sending.confirmedBy(topic, states, limit);
         return this;
     }
 
@@ -104,8 +91,7 @@ public class MqttExecute extends EventExecute {
      * @param limit the time limit for the answer
      */
     public final MqttExecute asking(Message question, String topic, Meanings states, Duration limit) {
-        aftermaths.add(device.connection().aftermath(topic));
-        answers.subscribe(topic, states);
+        sending.answeredBy(topic, states);
         this.question = new Question(question, Clock.requireDelay(limit));
         return this;
     }
@@ -134,50 +120,20 @@ public class MqttExecute extends EventExecute {
         }
         Message template = command.message();
         Message message = new Message(template.topic(), command.payload().with(values()), template.kind());
-        requireUp(step.event().toString());
-        Duration limit = confirmed;
+        sending.requireUp(step.event().toString());
         try {
-            if (limit == null) {
+            if (sending.isConfirmed()) {
+                sending.send(step, to(message), sent -> device.connection().publish(message), this::tookEffect);
+            } else {
                 device.connection().publish(message);
-                return;
             }
-            sendConfirmed(step, message, limit);
         } finally {
             rest.begin();
         }
     }
 
-    private void sendConfirmed(Step step, Message message, Duration limit) throws IOException, InterruptedException {
-        awaited = step.target().name();
-        aftermaths.forEach(each -> each.sends(step.source().name(), awaited));
-        try {
-            confirmations.await(message, awaited, limit, this::isConfirmed);
-        } finally {
-            if (!awaited.isEmpty()) {
-                leaveUnknown(limit);
-            }
-        }
-    }
-
-    private void leaveUnknown(Duration limit) {
-        untilNanos = device.clock().nanoTime() + limit.toNanos();
-        aftermaths.forEach(each -> each.isUnknown(awaited, device.clock(), limit));
-    }
-
-    private void isConfirmed() {
-        settle();
-        tookEffect();
-    }
-
-    private void settle() {
-        awaited = "";
-        aftermaths.forEach(Aftermath::settled);
-    }
-
-    private void requireUp(String what) {
-        if (!device.isUp()) {
-            throw new IllegalStateException(device.describe() + "; so " + what + " was not sent");
-        }
+    private static String to(Message message) {
+        return "the message to " + message.topic();
     }
 
     @Override
@@ -188,16 +144,13 @@ public class MqttExecute extends EventExecute {
         }
         if (!device.isUp()) {
             // What the broker has retained meanwhile may be old, and is no answer.
-            leaveUnknown(asked.limit());
+            sending.isUnknown(asked.limit());
             device.connection()
                     .publish(Message.event(
                             asked.message().topic(), asked.message().payload()));
         }
-        requireUp("the question for its state");
-        long left =
-                awaited.isEmpty() ? 0 : Math.max(0, untilNanos - device.clock().nanoTime());
-        String answer = answers.ask(asked.message(), awaited, Duration.ofNanos(left), asked.limit());
-        settle();
-        return Optional.of(answer);
+        sending.requireUp("the question for its state");
+        return Optional.of(
+                sending.ask(to(asked.message()), sent -> device.connection().publish(asked.message()), asked.limit()));
     }
 }

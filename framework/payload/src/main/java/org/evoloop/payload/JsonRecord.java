@@ -1,10 +1,13 @@
 package org.evoloop.payload;
 
 import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
 import org.evoloop.evolution.Values;
 import org.jspecify.annotations.Nullable;
@@ -143,6 +146,19 @@ public final class JsonRecord {
     /** A copy to be written, with more members. */
     public JsonObject copy() {
         return new JsonObject(members);
+    }
+
+    /** The names of its members. */
+    public Set<String> names() {
+        return Collections.unmodifiableSet(members.keySet());
+    }
+
+    /** A copy with the members of another one, which count, and without those of these names. */
+    public JsonRecord with(JsonRecord more, Collection<String> without) {
+        Map<String, @Nullable Object> all = new LinkedHashMap<>(members);
+        all.keySet().removeAll(without);
+        all.putAll(more.members);
+        return new JsonRecord(all, malformed);
     }
 
     /** Whether there is a member of that name, possibly null. */

@@ -1,4 +1,4 @@
-package org.evoloop.mqtt;
+package org.evoloop.payload.report;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -24,12 +24,12 @@ class AftermathTest {
     }
 
     private void reports(String state) {
-        aftermath.receives(Message.command("lamp", state));
+        aftermath.receives(new Report(state, false));
         aftermath.hear(state, monitor);
     }
 
     private void retained(String state) {
-        aftermath.receives(Message.state("lamp", state));
+        aftermath.receives(new Report(state, true));
         aftermath.hear(state, monitor);
     }
 
@@ -48,6 +48,17 @@ class AftermathTest {
         aftermath.settled();
         reports("off");
         assertThat(told).containsExactly("on", "off", "broken", "on", "off");
+    }
+
+    @Test
+    void whatWasReportedBeforeTheDeviceWasLostSettlesNothing() {
+        isLost();
+        reports("off");
+        aftermath.isLost();
+        clock.advance(LIMIT);
+        assertThat(told).isEmpty();
+        reports("on");
+        assertThat(told).containsExactly("on");
     }
 
     @Test

@@ -1,4 +1,4 @@
-package org.evoloop.mqtt;
+package org.evoloop.payload.report;
 
 import java.time.Duration;
 import java.util.LinkedHashMap;
@@ -8,28 +8,33 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Tells which reports of a device's state on a topic count, since a report may be older than the effect of a command.
+ * Tells which reports of a device's state count, since a report may be older than the effect of a command.
  *
  * <p>A command that was not confirmed may still have its effect for a while. Until then only the report of the state to
- * which it leads counts; the newest other one counts when that time is over. What the broker has retained may be older
- * than the command, however much later it arrives.
+ * which it leads counts; the newest other one counts when that time is over. What is {@linkplain Report#old() old}
+ * may be older than the command, however much later it arrives.
  *
  * <p>Threading: thread-safe.
+ *
+ * @since 0.1
  */
-final class Aftermath {
+public final class Aftermath {
     /** What follows from the state, if it is reported when nothing is unknown. */
     private final Map<Consumer<String>, String> held = new LinkedHashMap<>();
 
-    private volatile boolean retained;
+    private volatile boolean old;
     private boolean sending;
     private boolean unknown;
     private String source = "";
     private String target = "";
     private Clock.@Nullable Timer timer;
 
-    /** A message has come on the topic; what it says is heard next. */
-    void receives(Message message) {
-        retained = message.kind() == Message.Kind.STATE;
+    /** Nothing is unknown. */
+    public Aftermath() {}
+
+    /** A report has come; what it says is heard next. */
+    public void receives(Report report) {
+        old = report.old();
     }
 
     /** A command is sent that takes the device from one state to another. */
@@ -61,6 +66,11 @@ final class Aftermath {
         stopTimer();
     }
 
+    /** The device cannot be heard any more: what it has reported so far may be outdated when it counts. */
+    public synchronized void isLost() {
+        held.clear();
+    }
+
     private void stopTimer() {
         if (timer != null) {
             timer.cancel();
@@ -85,7 +95,7 @@ final class Aftermath {
      *
      * @param then is told when it counts, unless it never does
      */
-    void hear(String state, Consumer<String> then) {
+    public void hear(String state, Consumer<String> then) {
         if (counts(state, then)) {
             then.accept(state);
         }
@@ -94,10 +104,10 @@ final class Aftermath {
     private synchronized boolean counts(String state, Consumer<String> then) {
         boolean mayBeOld = !state.equals(target) && (unknown || (sending && state.equals(source)));
         boolean waits = sending || timer != null;
-        if (mayBeOld && waits && !retained) {
+        if (mayBeOld && waits && !old) {
             held.put(then, state);
         }
-        boolean counts = !mayBeOld || (!waits && !retained);
+        boolean counts = !mayBeOld || (!waits && !old);
         if (counts && unknown) {
             settled();
         }

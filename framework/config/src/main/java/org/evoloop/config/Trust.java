@@ -1,4 +1,4 @@
-package org.evoloop.mqtt;
+package org.evoloop.config;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
@@ -24,12 +24,22 @@ import javax.net.ssl.TrustManagerFactorySpi;
 import javax.net.ssl.X509ExtendedTrustManager;
 import org.jspecify.annotations.Nullable;
 
-/** Trusts the certificates of a file, or one certificate by its fingerprint. */
-final class Trust {
+/**
+ * Which certificates of a server are trusted: those of a file, or one by its fingerprint.
+ *
+ * <p>Threading: thread-safe.
+ *
+ * @since 0.1
+ */
+public final class Trust {
     private Trust() {}
 
-    /** @throws IllegalArgumentException if the file cannot be read, or contains no certificate */
-    static TrustManagerFactory in(Path file) {
+    /**
+     * Trusts what the certificates in this file, in PEM, have signed.
+     *
+     * @throws IllegalArgumentException if the file cannot be read, or contains no certificate
+     */
+    public static TrustManagerFactory in(Path file) {
         Collection<? extends Certificate> certificates;
         try {
             // All bytes first: the file may be a pipe, in which the JDK's stream may fail to find its place.
@@ -69,7 +79,7 @@ final class Trust {
      * @param fingerprint its SHA-256 in hexadecimal digits, with or without colons
      * @throws IllegalArgumentException if it is something else
      */
-    static TrustManagerFactory pinned(String fingerprint) {
+    public static TrustManagerFactory pinned(String fingerprint) {
         String digits = fingerprint.replace(":", "");
         if (!digits.matches("[0-9a-fA-F]{64}")) {
             throw new IllegalArgumentException(

@@ -1,4 +1,4 @@
-package org.evoloop.mqtt;
+package org.evoloop.payload.report;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -16,46 +16,46 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /** Which messages mean something, and when. */
-class TopicRulesTest {
+class ReportRulesTest {
     private static final String POWER = "plug/power";
     private static final Duration SECOND = Duration.ofSeconds(1);
     private static final Meanings LOW = Meanings.NONE.with(Match.between(0, 3), "Off");
     private static final Meanings HIGH = Meanings.NONE.with(Match.between(100, 3000), "Heating");
 
     private final ManualClock clock = new ManualClock();
-    private final Map<String, Consumer<Message>> subscribed = new HashMap<>();
+    private final Map<String, Consumer<Report>> subscribed = new HashMap<>();
     private final List<String> heard = new ArrayList<>();
-    private final TopicRules rules = new TopicRules(clock, subscribed::put);
+    private final ReportRules rules = new ReportRules(clock, subscribed::put);
 
     @AfterEach
     void close() {
         clock.close();
     }
 
-    private void add(Meanings meanings, TopicRules.Use use) {
+    private void add(Meanings meanings, ReportRules.Use use) {
         rules.add(POWER, meanings, use, meaning -> heard.add(meaning.name()));
     }
 
     private void says(String payload) {
-        subscribed.get(POWER).accept(Message.command(POWER, payload));
+        subscribed.get(POWER).accept(new Report(payload, false));
     }
 
     @Test
     void allRulesOfATopicAreHeardInTheirOrder() {
-        add(LOW, TopicRules.Use.NEWS);
-        add(HIGH, TopicRules.Use.NEWS);
-        add(Meanings.NONE.with(Match.between(0, 1000), "Any"), TopicRules.Use.NEWS);
+        add(LOW, ReportRules.Use.NEWS);
+        add(HIGH, ReportRules.Use.NEWS);
+        add(Meanings.NONE.with(Match.between(0, 1000), "Any"), ReportRules.Use.NEWS);
         says("1");
         says("200");
         says("50");
-        subscribed.get(POWER).accept(Message.state(POWER, "1"));
+        subscribed.get(POWER).accept(new Report("1", true));
         assertThat(heard).containsExactly("Off", "Heating", "Any");
     }
 
     @Test
     void aStateThatMustBeSteadyIsReportedOnceItHasLasted() {
-        add(LOW.lasting(SECOND.multipliedBy(2)), TopicRules.Use.STATE);
-        add(HIGH, TopicRules.Use.STATE);
+        add(LOW.lasting(SECOND.multipliedBy(2)), ReportRules.Use.STATE);
+        add(HIGH, ReportRules.Use.STATE);
         says("1");
         clock.advance(SECOND);
         says("200");
@@ -73,29 +73,29 @@ class TopicRulesTest {
 
     @Test
     void whatAnotherTopicSaysOfTheStateEndsWhatHasNotLastedYet() {
-        add(LOW.lasting(SECOND.multipliedBy(2)), TopicRules.Use.STATE);
+        add(LOW.lasting(SECOND.multipliedBy(2)), ReportRules.Use.STATE);
         rules.add(
                 "plug/relay",
                 Meanings.of(Map.of("off", "Unplugged", "low", "Off")),
-                TopicRules.Use.STATE,
+                ReportRules.Use.STATE,
                 meaning -> heard.add(meaning.name()));
         says("1");
         clock.advance(SECOND);
-        subscribed.get("plug/relay").accept(Message.command("plug/relay", "low"));
+        subscribed.get("plug/relay").accept(new Report("low", false));
         clock.advance(SECOND);
         assertThat(heard).containsExactly("Off", "Off");
 
         says("200");
         says("1");
         clock.advance(SECOND);
-        subscribed.get("plug/relay").accept(Message.command("plug/relay", "off"));
+        subscribed.get("plug/relay").accept(new Report("off", false));
         clock.advance(SECOND.multipliedBy(5));
         assertThat(heard).containsExactly("Off", "Off", "Unplugged");
     }
 
     @Test
     void anEventThatMustBeSteadyOccursOnceAndNotIfItHasLastedFromTheBeginning() {
-        add(LOW.lasting(SECOND), TopicRules.Use.EVENT);
+        add(LOW.lasting(SECOND), ReportRules.Use.EVENT);
         says("1");
         clock.advance(SECOND);
         says("1");
@@ -114,8 +114,8 @@ class TopicRulesTest {
 
     @Test
     void withoutAClockNothingCanLast() {
-        assertThatThrownBy(() -> new TopicRules(null, subscribed::put)
-                        .add(POWER, LOW.lasting(SECOND), TopicRules.Use.STATE, state -> {}))
+        assertThatThrownBy(() -> new ReportRules(null, subscribed::put)
+                        .add(POWER, LOW.lasting(SECOND), ReportRules.Use.STATE, state -> {}))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("plug/power");
     }

@@ -1,4 +1,4 @@
-package org.evoloop.mqtt;
+package org.evoloop.payload.report;
 
 import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
@@ -10,17 +10,17 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Waits for what a device reports after a message to it.
+ * Waits for what a device reports after something was sent to it.
  *
  * <p>Threading: thread-safe; {@link #await} for one thread at a time.
  */
-final class Reports {
-    private final MqttDevice device;
-    private final TopicRules rules;
+final class Confirmations {
+    private final ReportingDevice device;
+    private final ReportRules rules;
     private volatile @Nullable Wait current;
 
     /** What is waited for. */
-    private static final class Wait {
+    private static final class Wait implements Pending {
         private final String wanted;
         private final Runnable then;
         private final CompletableFuture<String> state = new CompletableFuture<>();
@@ -48,8 +48,14 @@ final class Reports {
             }
         }
 
-        private synchronized void fail(String why) {
+        @Override
+        public synchronized void fail(String why) {
             state.completeExceptionally(new IllegalStateException(why));
+        }
+
+        @Override
+        public synchronized void refuse(String why) {
+            state.completeExceptionally(new Refused(why));
         }
 
         private synchronized boolean isAboutToTakeOne() {
@@ -57,16 +63,32 @@ final class Reports {
         }
     }
 
-    Reports(MqttDevice device) {
+    /**
+     * Something that is sent.
+     *
+     * @param what for messages
+     */
+    record Sent(String what, Consumer<Pending> sending) {}
+
+    /** The device has not taken what was sent, so it has no effect. */
+    static final class Refused extends IllegalStateException {
+        private static final long serialVersionUID = 1L;
+
+        Refused(String why) {
+            super(why);
+        }
+    }
+
+    Confirmations(ReportingDevice device) {
         this.device = device;
         // Before a monitor, so that a step is over before its result is found.
-        this.rules = new TopicRules(device.clock(), device.connection()::subscribeFirst);
+        this.rules = new ReportRules(device.clock(), device::subscribeFirst);
         device.onLost(why -> fail(current, why));
     }
 
     /** Hears of the device's state. */
-    void subscribe(String topic, Meanings states) {
-        rules.add(topic, states, TopicRules.Use.NEWS, state -> hear(state.name()));
+    void subscribe(String source, Meanings states) {
+        rules.add(source, states, ReportRules.Use.NEWS, state -> hear(state.name()));
     }
 
     private void hear(String state) {
@@ -83,25 +105,25 @@ final class Reports {
     }
 
     /**
-     * Publishes a message and waits for the report of a state.
+     * Sends something and waits for the report of a state.
      *
      * @param then run when it is reported, before anybody else hears of it
      * @throws UnknownEffectException if there is none within the limit, or the device is lost meanwhile
      */
-    String await(Message message, String wanted, Duration limit, Runnable then)
+    String await(Sent sent, String wanted, Duration limit, Runnable then)
             throws UnknownEffectException, InterruptedException {
         Wait wait = new Wait(wanted, then);
-        return await(message, wait, limit, wait::fail);
+        return await(sent, wait, limit, wait::fail);
     }
 
     /**
-     * Publishes a question and waits for the answer.
+     * Sends a question and waits for the answer.
      *
      * @param wanted the state that counts whenever it is reported
      * @param from when others count, too; then the newest does, if one has been reported
      * @throws UnknownEffectException if there is none within the limit, or the device is lost meanwhile
      */
-    String ask(Message question, String wanted, Duration from, Duration limit)
+    String ask(Sent question, String wanted, Duration from, Duration limit)
             throws UnknownEffectException, InterruptedException {
         Wait wait = new Wait(wanted, () -> {});
         Clock.Timer later = device.clock().schedule(from, wait::takeAny);
@@ -116,17 +138,19 @@ final class Reports {
         }
     }
 
-    private String await(Message message, Wait wait, Duration limit, Consumer<String> onLimit)
+    private String await(Sent sent, Wait wait, Duration limit, Consumer<String> onLimit)
             throws UnknownEffectException, InterruptedException {
-        String late = "the device has not reported within " + limit.toMillis() + " ms what became of the message to "
-                + message.topic();
+        String late = "the device has not reported within " + limit.toMillis() + " ms what became of " + sent.what();
         Clock.Timer timer = device.clock().schedule(limit, () -> onLimit.accept(late));
         current = wait;
         try {
-            device.connection().publish(message);
+            sent.sending().accept(wait);
             return wait.state.get();
         } catch (ExecutionException none) {
             Throwable cause = none.getCause();
+            if (cause instanceof Refused refused) {
+                throw refused;
+            }
             throw new UnknownEffectException(cause == null ? late : String.valueOf(cause.getMessage()), none);
         } finally {
             current = null;

@@ -1,4 +1,4 @@
-package org.evoloop.mqtt;
+package org.evoloop.payload.report;
 
 import java.util.HashMap;
 import java.util.List;
@@ -13,23 +13,25 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the messages on some topics mean: the first rule of a topic that applies to a message is used.
+ * What the reports from some sources mean: the first rule of a source that applies to a report is used.
  *
- * <p>Threading: rules are added by one thread, before the connection is opened; messages come one at a time.
+ * <p>Threading: rules are added by one thread, before the connection is opened; reports come one at a time.
+ *
+ * @since 0.1
  */
-final class TopicRules {
+public final class ReportRules {
     private final @Nullable Clock clock;
-    private final BiConsumer<String, Consumer<Message>> subscribe;
+    private final BiConsumer<String, Consumer<Report>> subscribe;
     private final Map<String, List<Rule>> rules = new HashMap<>();
     private final List<Held> states = new CopyOnWriteArrayList<>();
 
-    /** Which messages a rule is for. */
-    enum Use {
-        /** Those that report an event; the broker's retained ones are old. */
+    /** Which reports a rule is for. */
+    public enum Use {
+        /** Those of an event; old ones are none any more. */
         EVENT,
-        /** All that report the state. */
+        /** All of the state. */
         STATE,
-        /** Those that report the state as it has become just now. */
+        /** Those of the state as it is just now. */
         NEWS
     }
 
@@ -37,35 +39,40 @@ final class TopicRules {
      * No rules so far.
      *
      * @param clock null if no meaning has to hold for a time
+     * @param subscribe is called once for each source, with what hears its reports
      */
-    TopicRules(@Nullable Clock clock, BiConsumer<String, Consumer<Message>> subscribe) {
+    public ReportRules(@Nullable Clock clock, BiConsumer<String, Consumer<Report>> subscribe) {
         this.clock = clock;
         this.subscribe = subscribe;
     }
 
-    /** @throws IllegalArgumentException if a meaning has to hold for a time, and there is no clock */
-    void add(String topic, Meanings meanings, Use use, Consumer<Meanings.Meaning> heard) {
+    /**
+     * Adds a rule, after the others of its source.
+     *
+     * @throws IllegalArgumentException if a meaning has to hold for a time, and there is no clock
+     */
+    public void add(String source, Meanings meanings, Use use, Consumer<Meanings.Meaning> heard) {
         Consumer<Meanings.Meaning> told = use == Use.EVENT ? heard : endingOthers(heard);
         Rule rule = meanings.lasting().isZero()
                 ? new Rule(meanings, use, now -> now.ifPresent(told))
-                : new Rule(meanings, use, held(topic, meanings, use, told)::hear);
-        rules.computeIfAbsent(topic, first -> {
-                    List<Rule> ofTopic = new CopyOnWriteArrayList<>();
-                    subscribe.accept(topic, message -> hear(ofTopic, message));
-                    return ofTopic;
+                : new Rule(meanings, use, held(source, meanings, use, told)::hear);
+        rules.computeIfAbsent(source, first -> {
+                    List<Rule> ofSource = new CopyOnWriteArrayList<>();
+                    subscribe.accept(source, report -> hear(ofSource, report));
+                    return ofSource;
                 })
                 .add(rule);
     }
 
-    private Held held(String topic, Meanings meanings, Use use, Consumer<Meanings.Meaning> told) {
-        Held held = new Held(requireClock(topic), meanings, use, told);
+    private Held held(String source, Meanings meanings, Use use, Consumer<Meanings.Meaning> told) {
+        Held held = new Held(requireClock(source), meanings, use, told);
         if (use != Use.EVENT) {
             states.add(held);
         }
         return held;
     }
 
-    /** What one topic says of the state ends what another one has said before, and what has not held for long enough yet. */
+    /** What one source says of the state ends what another one has said before, and what has not held for long enough yet. */
     private Consumer<Meanings.Meaning> endingOthers(Consumer<Meanings.Meaning> heard) {
         return state -> {
             states.forEach(held -> held.endUnless(state));
@@ -73,21 +80,21 @@ final class TopicRules {
         };
     }
 
-    private Clock requireClock(String topic) {
+    private Clock requireClock(String source) {
         if (clock == null) {
-            throw new IllegalArgumentException("what " + topic
+            throw new IllegalArgumentException("what " + source
                     + " says must hold for a time; give the monitor the device, whose clock measures that");
         }
         return clock;
     }
 
-    private static void hear(List<Rule> ofTopic, Message message) {
+    private static void hear(List<Rule> ofSource, Report report) {
         boolean taken = false;
-        for (Rule rule : ofTopic) {
-            if (rule.use() == Use.STATE || message.kind() != Message.Kind.STATE) {
+        for (Rule rule : ofSource) {
+            if (rule.use() == Use.STATE || !report.old()) {
                 // A rule that does not apply ends what it had heard before.
                 Optional<Meanings.Meaning> meaning =
-                        taken ? Optional.empty() : rule.meanings().of(message.payload());
+                        taken ? Optional.empty() : rule.meanings().of(report.text());
                 taken |= meaning.isPresent();
                 rule.then().accept(meaning);
             }
@@ -117,7 +124,7 @@ final class TopicRules {
             noted(now).ifPresent(this::settle);
         }
 
-        /** Another topic says that the device is in this state. */
+        /** Another source says that the device is in this state. */
         synchronized void endUnless(Meanings.Meaning state) {
             if (steady.isOther(state)) {
                 noted(Optional.empty());
