@@ -76,6 +76,7 @@ public final class DeviceFile {
     private final List<Scenario> scenarios;
     private final List<OptionLine> options;
     private final LearnSection learning;
+    private final @Nullable Connection confirming;
 
     private DeviceFile(Path path, Reader reader, FileModels models, ModelReader read, Connections connections) {
         this.path = path;
@@ -91,6 +92,7 @@ public final class DeviceFile {
         this.scenarios = List.copyOf(reader.scenarios);
         this.options = List.copyOf(reader.options);
         this.learning = reader.learning;
+        this.confirming = reader.confirming;
     }
 
     /**
@@ -164,6 +166,7 @@ public final class DeviceFile {
         this.scenarios = next.scenarios;
         this.options = next.options;
         this.learning = next.learning;
+        this.confirming = next.confirming;
     }
 
     /** The converter's name. */
@@ -243,6 +246,12 @@ public final class DeviceFile {
         return connections.all();
     }
 
+    /** The connection that tells what becomes of all that is sent; null if each tells that of its own. */
+    @Nullable
+    Connection confirming() {
+        return confirming;
+    }
+
     /** The knowledge of these models, with the file's functions. */
     public StateKnowledge knowledge(ModelPair of) {
         return new FileKnowledge(of, knowledge);
@@ -297,6 +306,7 @@ public final class DeviceFile {
         private final List<Scenario> scenarios = new ArrayList<>();
         private final List<OptionLine> options = new ArrayList<>();
         private LearnSection learning = LearnSection.NONE;
+        private @Nullable Connection confirming;
         private final Guards guards;
         private final FileKnowledge.Content content;
 
@@ -356,10 +366,33 @@ public final class DeviceFile {
                 }
             });
             device.texts("do-not-pass").forEach(state -> doNotPass.add(models.deviceState(state)));
+            confirmed(device);
             connections.all().forEach(connection -> connection.device(device));
             if (connections.areKnown()) {
                 device.done();
             }
+        }
+
+        /** One connection may tell what becomes of what is sent over others, and one be asked where several could. */
+        private void confirmed(Section device) {
+            naming(device, "ask", "to").ifPresent(ask -> connections.named(ask, "to"));
+            naming(device, "confirmed", "from").ifPresent(confirmed -> {
+                confirming = connections.named(confirmed, "from");
+                if (confirming != null) {
+                    confirming.confirms(confirmed);
+                }
+            });
+        }
+
+        /** The section if it has this key; otherwise whether anybody knows it is left open. */
+        private static Optional<Section> naming(Section device, String section, String key) {
+            return device.node().entries().entrySet().stream()
+                    .filter(each -> each.getKey().value().equals(section))
+                    .filter(each -> each.getValue() instanceof Node.Entries pairs
+                            && pairs.entries().keySet().stream()
+                                    .anyMatch(has -> has.value().equals(key)))
+                    .findFirst()
+                    .flatMap(found -> device.section(section));
         }
 
         private void sends(Section send) {

@@ -18,7 +18,6 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.evoloop.converter.DeviceLink;
-import org.evoloop.payload.report.Aftermath;
 import org.evoloop.time.Attempts;
 import org.evoloop.time.Threads;
 import org.jspecify.annotations.Nullable;
@@ -59,6 +58,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
     private volatile @Nullable Instant downSince = Instant.now();
     private volatile String trouble;
     private final AtomicLong connects = new AtomicLong();
+    private final Turns turns = new Turns();
 
     /** @param client the client's identifier at the broker; if two have the same, it disconnects the older */
     public BrokerConnection(BrokerAddress address, String client) {
@@ -99,11 +99,15 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
     /** What is known of commands to the device that reports its state on this topic; before {@link #open}. */
     synchronized Aftermath aftermath(String topic) {
         return aftermaths.computeIfAbsent(topic, first -> {
-            Aftermath made = new Aftermath();
-            subscribeFirst(topic, message -> made.receives(message.report()));
-            onLost(made::isLost);
+            Aftermath made = new Aftermath(turns);
+            subscribeFirst(topic, made::receives);
             return made;
         });
+    }
+
+    /** In which messages are received; what a timer says of them is said there, too. */
+    Turns turns() {
+        return turns;
     }
 
     private Deque<Consumer<Message>> consumersOf(String topic) {
@@ -242,7 +246,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
             all = List.copyOf(consumers.getOrDefault(message.topic(), new ArrayDeque<>()));
         }
         if (!closing) {
-            all.forEach(consumer -> hand(message, consumer));
+            turns.take(() -> all.forEach(consumer -> hand(message, consumer)));
         }
     }
 

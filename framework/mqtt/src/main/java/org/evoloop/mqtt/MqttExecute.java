@@ -1,18 +1,17 @@
 package org.evoloop.mqtt;
 
-import java.io.IOException;
 import java.time.Duration;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Collectors;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.UnknownEffectException;
 import org.evoloop.evolution.Step;
 import org.evoloop.payload.Meanings;
 import org.evoloop.payload.Rest;
 import org.evoloop.payload.Template;
-import org.evoloop.payload.report.ConfirmedSending;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
@@ -31,6 +30,8 @@ import org.jspecify.annotations.Nullable;
  * executed when it was published. While the device or the broker cannot be reached a step fails; nothing is sent later
  * or twice.
  *
+ * <p>What is sent by another way, such as infrared, can be confirmed by what a meter reports, see {@link #through}.
+ *
  * <p>Lifecycle: configure it before the connection is opened.
  *
  * <p>Threading: as {@link EventExecute}.
@@ -39,15 +40,31 @@ import org.jspecify.annotations.Nullable;
  */
 public class MqttExecute extends EventExecute {
     private final MqttDevice device;
-    private final Map<String, Command> commands;
-    private final ConfirmedSending sending;
+    private final Map<String, Command> commands = new LinkedHashMap<>();
+    private final Reports confirmations;
+    private final Reports answers;
+    private final Set<Aftermath> aftermaths = new LinkedHashSet<>();
+
+    /** The state to which the last step leads, if it was not confirmed; else empty. */
+    private volatile String awaited = "";
+
+    /** Until when it may still have its effect. */
+    private volatile long untilNanos;
+
+    private @Nullable Duration confirmed;
     private @Nullable Question question;
     private Rest rest;
 
-    private record Command(Message message, Template payload) {
-        Command(Message message) {
-            this(message, Template.of(message.payload()));
-        }
+    /**
+     * How an event is sent.
+     *
+     * @param what for messages
+     */
+    private record Command(String what, Sending how) {}
+
+    /** Sends an event. */
+    private interface Sending {
+        void send(Step step) throws Exception;
     }
 
     private record Question(Message message, Duration limit) {}
@@ -61,22 +78,42 @@ public class MqttExecute extends EventExecute {
     public MqttExecute(String name, MqttDevice device, Map<String, Message> messages) {
         super(name);
         this.device = device;
-        this.commands = messages.entrySet().stream()
-                .collect(Collectors.toUnmodifiableMap(Map.Entry::getKey, entry -> new Command(entry.getValue())));
-        this.sending = new ConfirmedSending(device.reporting());
+        messages.forEach((event, message) -> {
+            Template payload = Template.of(message.payload());
+            commands.put(
+                    event,
+                    new Command(
+                            "the message to " + message.topic(),
+                            step -> device.connection()
+                                    .publish(new Message(message.topic(), payload.with(values()), message.kind()))));
+        });
+        this.confirmations = new Reports(device);
+        this.answers = new Reports(device);
         this.rest = new Rest(device.clock(), Duration.ZERO);
     }
 
     /**
      * Declares that a topic reports the device's state: a step has been executed when it reports the state to which the
      * step leads. Other reports are left to a monitor. If it does not within the limit, or the device is lost meanwhile,
-     * whether the step had its effect is unknown; it still may have it within the limit again, but no later.
+     * whether the step had its effect is unknown; it still may have it within the limit again, but no later. No report tells
+     * whether a step that leaves the state as it is had an effect, so that is executed when it was published.
      *
      * @param states of the original model, by what the topic says
      * @param limit the time limit from publishing to the report
      */
     public final MqttExecute confirmedBy(String topic, Meanings states, Duration limit) {
-        sending.confirmedBy(topic, states, limit);
+        aftermaths.add(device.connection().aftermath(topic));
+        confirmations.subscribe(topic, states);
+        confirmed = Clock.requireDelay(limit);
+        return this;
+    }
+
+    /**
+     * Sends further events by another component, which must not be added to the converter: this one finds out what becomes
+     * of them, as of its own.
+     */
+    public final MqttExecute through(EventExecute sender) {
+        sender.sendsFor().forEach(event -> commands.put(event, new Command(event, step -> sender.sendFor(this, step))));
         return this;
     }
 
@@ -91,7 +128,8 @@ public class MqttExecute extends EventExecute {
      * @param limit the time limit for the answer
      */
     public final MqttExecute asking(Message question, String topic, Meanings states, Duration limit) {
-        sending.answeredBy(topic, states);
+        aftermaths.add(device.connection().aftermath(topic));
+        answers.subscribe(topic, states);
         this.question = new Question(question, Clock.requireDelay(limit));
         return this;
     }
@@ -104,7 +142,7 @@ public class MqttExecute extends EventExecute {
 
     @Override
     protected final Set<String> sendableEvents() {
-        return commands.keySet();
+        return Set.copyOf(commands.keySet());
     }
 
     @Override
@@ -113,44 +151,75 @@ public class MqttExecute extends EventExecute {
     }
 
     @Override
-    protected void send(Step step) throws IOException, InterruptedException {
+    protected void send(Step step) throws Exception {
         Command command = commands.get(step.event().name());
         if (command == null) {
             throw new IllegalArgumentException(name() + " has no message for " + step.event());
         }
-        Message template = command.message();
-        Message message = new Message(template.topic(), command.payload().with(values()), template.kind());
-        sending.requireUp(step.event().toString());
+        requireUp(step.event().toString());
+        Duration limit = confirmed;
         try {
-            if (sending.isConfirmed()) {
-                sending.send(step, to(message), sent -> device.connection().publish(message), this::tookEffect);
-            } else {
-                device.connection().publish(message);
+            if (limit == null || step.source().equals(step.target())) {
+                command.how().send(step);
+                return;
             }
+            sendConfirmed(step, command, limit);
         } finally {
             rest.begin();
         }
     }
 
-    private static String to(Message message) {
-        return "the message to " + message.topic();
+    private void sendConfirmed(Step step, Command command, Duration limit) throws Exception {
+        awaited = step.target().name();
+        aftermaths.forEach(each -> each.sends(step.source().name(), awaited));
+        try {
+            confirmations.await(command.what(), () -> command.how().send(step), awaited, limit, this::isConfirmed);
+        } catch (UnknownEffectException | InterruptedException unknown) {
+            leaveUnknown(limit);
+            throw unknown;
+        } catch (Exception unsent) {
+            settle();
+            throw unsent;
+        }
+    }
+
+    private void leaveUnknown(Duration limit) {
+        untilNanos = device.clock().nanoTime() + limit.toNanos();
+        aftermaths.forEach(each -> each.isUnknown(awaited, device.clock(), limit));
+    }
+
+    private void isConfirmed() {
+        settle();
+        tookEffect();
+    }
+
+    private void settle() {
+        awaited = "";
+        aftermaths.forEach(Aftermath::settled);
+    }
+
+    private void requireUp(String what) {
+        if (!device.isUp()) {
+            throw new IllegalStateException(device.describe() + "; so " + what + " was not sent");
+        }
     }
 
     @Override
-    protected Optional<String> locate() throws UnknownEffectException, InterruptedException {
+    protected Optional<String> locate() throws Exception {
         Question asked = question;
         if (asked == null) {
             return Optional.empty();
         }
         if (!device.isUp()) {
             // What the broker has retained meanwhile may be old, and is no answer.
-            sending.isUnknown(asked.limit());
+            leaveUnknown(asked.limit());
             device.connection()
                     .publish(Message.event(
                             asked.message().topic(), asked.message().payload()));
         }
-        sending.requireUp("the question for its state");
-        return Optional.of(
-                sending.ask(to(asked.message()), sent -> device.connection().publish(asked.message()), asked.limit()));
+        requireUp("the question for its state");
+        long left =
+                awaited.isEmpty() ? 0 : Math.max(0, untilNanos - device.clock().nanoTime());
+        return Optional.of(answers.ask(asked.message(), awaited, Duration.ofNanos(left), asked.limit(), this::settle));
     }
 }
