@@ -6,6 +6,7 @@ module org.evoloop.device {
     requires org.evoloop.config;
     requires transitive org.evoloop.console;
     requires org.evoloop.gpio;
+    requires org.evoloop.homeassistant;
     requires org.evoloop.http;
     requires org.evoloop.line;
     requires org.evoloop.mqtt;
@@ -26,6 +27,7 @@ module org.evoloop.device {
 
     provides org.evoloop.device.ConnectionKind with
             org.evoloop.device.GpioKind,
+            org.evoloop.device.HomeAssistantKind,
             org.evoloop.device.HttpKind,
             org.evoloop.device.LineKind,
             org.evoloop.device.MqttKind,

@@ -5,4 +5,5 @@ module org.evoloop.payload {
     requires tools.jackson.core;
 
     exports org.evoloop.payload;
+    exports org.evoloop.payload.report;
 }

@@ -50,6 +50,7 @@ record Snippet(String place, String code) {
                     "org.evoloop.evolution.*",
                     "org.evoloop.function.*",
                     "org.evoloop.gpio.*",
+                    "org.evoloop.homeassistant.*",
                     "org.evoloop.http.*",
                     "org.evoloop.journal.*",
                     "org.evoloop.line.*",

@@ -21,7 +21,8 @@ class ArchitectureTest {
                     "org.snakeyaml..",
                     "org.jspecify..",
                     "picocli..",
-                    "java..");
+                    "java..",
+                    "javax.net.ssl..");
 
     @ArchTest
     static final ArchRule oneClassKnowsTheYamlLibrary = noClasses()

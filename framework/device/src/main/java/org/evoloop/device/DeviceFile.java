@@ -43,7 +43,21 @@ public final class DeviceFile {
 
     /** Whatever has one of these keys is a rule, and no short form. */
     private static final Set<String> RULE_KEYS = Set.of(
-            "from", "values", "event", "state", "line", "topic", "json", "pattern", "ranges", "steady", "contact");
+            "from",
+            "values",
+            "event",
+            "state",
+            "line",
+            "topic",
+            "json",
+            "pattern",
+            "ranges",
+            "steady",
+            "contact",
+            "entity",
+            "attribute",
+            "event-type",
+            "trigger");
 
     /** What {@link #readAgain} takes over. */
     private static final Set<String> CHANGEABLE =

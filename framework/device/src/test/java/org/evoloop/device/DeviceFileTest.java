@@ -241,7 +241,7 @@ class DeviceFileTest {
                 "Breeze: {every | Breze: {every | fan.yaml:16: 'Breze' is not a state of the new model; did you mean Breeze?",
                 "every: 3 s | every: 3 | fan.yaml:16: every: '3' is no duration; write a number and a unit, such as 500 ms, 10 s, 5 min or 2 h",
                 "lines: 'tcp://127.0.0.1:4001' | lines: '127.0.0.1:4001' | fan.yaml:4: lines: '127.0.0.1:4001' is no address; write tcp://HOST:PORT, serial:///dev/ttyUSB0 or unix:///run/device.sock",
-                "lines: | lnes: | fan.yaml:4: connections.fan needs one of gpio, http, lines, mqtt, program, webhooks; did you mean lines?",
+                "lines: | lnes: | fan.yaml:4: connections.fan needs one of gpio, home-assistant, http, lines, mqtt, program, webhooks; did you mean lines?",
                 "T ([0-9]+) | T [0-9]+ | fan.yaml:12: the pattern 'T [0-9]+' has no group; put the value in parentheses",
                 "button breeze: breeze | button breeze: breze | fan.yaml:14: 'breze' is not an event of the models; did you mean breeze?",
                 "fan.md#new | fan.md#now | fan.yaml:2: ",

@@ -1,6 +1,7 @@
 package org.evoloop.payload;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -150,6 +151,14 @@ public final class JsonRecord {
     /** The names of all members, in their order. */
     public Set<String> names() {
         return Collections.unmodifiableSet(members.keySet());
+    }
+
+    /** A copy with the members of another one, which count, and without those of these names. */
+    public JsonRecord with(JsonRecord more, Collection<String> without) {
+        Map<String, @Nullable Object> all = new LinkedHashMap<>(members);
+        all.keySet().removeAll(without);
+        all.putAll(more.members);
+        return new JsonRecord(all, malformed);
     }
 
     /** Whether there is a member of that name, possibly null. */

@@ -81,6 +81,7 @@ class DeviceCommandsTest {
             strings = {
                 "air-conditioner",
                 "fan",
+                "home-assistant-lamp",
                 "light-bulb",
                 "octoprint",
                 "roller-shutter",

@@ -1,0 +1,61 @@
+package org.evoloop.homeassistant;
+
+import java.util.Optional;
+import java.util.regex.Pattern;
+import org.evoloop.payload.Part;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A value in Home Assistant: the state of an entity, or one of its attributes.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param entity its id, such as {@code light.kitchen}
+ * @param attribute such as {@code brightness}; null for the state
+ * @since 0.1
+ */
+public record EntityValue(String entity, @Nullable String attribute) {
+    private static final Pattern ID = Pattern.compile("[a-z0-9_]+\\.[a-z0-9_]+");
+
+    /** @throws IllegalArgumentException if the entity's id is none */
+    public EntityValue {
+        requireId(entity);
+    }
+
+    /** The state of an entity. */
+    public static EntityValue state(String entity) {
+        return new EntityValue(entity, null);
+    }
+
+    /** An attribute of an entity. */
+    public static EntityValue attribute(String entity, String attribute) {
+        return new EntityValue(entity, attribute);
+    }
+
+    /**
+     * The id of an entity.
+     *
+     * @throws IllegalArgumentException if it is none
+     */
+    public static String requireId(String entity) {
+        if (!ID.matcher(entity).matches()) {
+            throw new IllegalArgumentException("'" + entity
+                    + "' is no entity's id; Home Assistant shows it in the entity's settings, such as light.kitchen");
+        }
+        return entity;
+    }
+
+    /** Empty if the entity has no such attribute now. */
+    Optional<String> of(Entity now) {
+        return attribute == null
+                ? Optional.of(now.state())
+                : Part.at("/" + attribute.replace("~", "~0").replace("/", "~1"))
+                        .in(now.attributes().copy().toString());
+    }
+
+    /** For messages: {@code light.kitchen's brightness}. */
+    @Override
+    public String toString() {
+        return attribute == null ? entity : entity + "'s " + attribute;
+    }
+}
