@@ -24,6 +24,7 @@ module org.evoloop.models {
     requires org.evoloop.device;
     requires org.evoloop.journal;
     requires org.evoloop.learn;
+    requires org.evoloop.page;
     requires org.evoloop.service;
     requires org.evoloop.svg;
     requires org.evoloop.xmi;

@@ -21,6 +21,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Whatever ends or freezes the converter, the robot stands still in Passive mode within a second of its own time.
@@ -230,8 +232,14 @@ class GuardedRobotTest {
         assertThat(robot.truth().activity()).isEqualTo("clean");
     }
 
-    @Test
-    void withoutAGuardTheRobotDrivesOn() throws Exception {
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "program: roomba\nport: '%s' # the robot's\n",
+                "connections:\n  robot: {roomba: %s, start-point: \"1000,0\"}\n",
+                "connections:\n  robot:\n    guard: false\n    'roomba':  \"%s\"\n"
+            })
+    void withoutAGuardTheRobotDrivesOnUntilTheServiceHasEnded(String file) throws Exception {
         Process converter = startUntil(GuardedRobotTest::isMove, MOVE + "status\n", "--no-guard");
         driveOn();
         Truth before = robot.truth();
@@ -240,13 +248,12 @@ class GuardedRobotTest {
         assertThat(later.drives()).isTrue();
         assertThat(log()).contains("link        up").doesNotContain("guarded");
 
-        stopPost();
+        stopPost(String.format(file, robot.port()));
         assertMadeSafe(robot.truth());
     }
 
-    private void stopPost() throws Exception {
-        Path options = Files.writeString(
-                folder.resolve("roomba.yaml"), "program: roomba\nport: '" + robot.port() + "' # the robot's\n");
+    private void stopPost(String file) throws Exception {
+        Path options = Files.writeString(folder.resolve("roomba.yaml"), file);
         Process stopPost = new ProcessBuilder("sh", MAKE_SAFE.toString(), options.toString())
                 .redirectErrorStream(true)
                 .start();

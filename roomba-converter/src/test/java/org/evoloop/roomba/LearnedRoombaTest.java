@@ -48,7 +48,7 @@ class LearnedRoombaTest {
                             robot.clock,
                             null,
                             null,
-                            (states, words, elapsed) -> {})
+                            (soFar, expected) -> {})
                     .learn();
         }
     }

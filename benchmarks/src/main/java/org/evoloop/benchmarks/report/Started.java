@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 
 /**
@@ -32,6 +33,8 @@ public record Started(double seconds, double megabytes) {
             throws IOException, InterruptedException {
         long begun = System.nanoTime();
         Process program = begin(jar, arguments.toArray(String[]::new));
+        // A program without that event must not be waited for.
+        CompletableFuture.delayedExecutor(1, TimeUnit.MINUTES).execute(program::destroyForcibly);
         try (Writer console = program.outputWriter(StandardCharsets.UTF_8);
                 BufferedReader transcript =
                         new BufferedReader(new InputStreamReader(program.getErrorStream(), StandardCharsets.UTF_8));

@@ -61,6 +61,8 @@ public interface ConverterDelegate {
 
     Set<String> spares();
 
+    Set<String> spares(Component.Role role);
+
     Evolution.Result evolve(Evolution evolution);
 
     Evolution.Result rollBack(Duration deadline);
@@ -86,6 +88,8 @@ public interface ConverterDelegate {
     Set<Event> controllerEvents();
 
     ConverterStatus status();
+
+    Outlook outlook();
 
     List<HistoryEntry> history();
 

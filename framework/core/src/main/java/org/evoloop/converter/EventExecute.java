@@ -122,6 +122,25 @@ public abstract class EventExecute extends Execute<ChangePlan> {
         report(true);
     }
 
+    /**
+     * Sends the event of {@code step} for another component, which finds out by itself when that has had its effect, such
+     * as by a meter. This component is not added to a converter then, and what it says of effects counts for nothing.
+     *
+     * @param other the component that was added, and that is carrying out the step
+     * @throws Exception as {@link #awaitReady} and {@link #send}
+     */
+    public final void sendFor(EventExecute other, Step step) throws Exception {
+        config = other.config;
+        values = other.values;
+        awaitReady(step);
+        send(step);
+    }
+
+    /** The events that {@link #sendFor} can send. */
+    public final Set<String> sendsFor() {
+        return sendableEvents();
+    }
+
     private void report(boolean inOrder) {
         ExecuteAccess.Host attached = host;
         if (attached != null) {

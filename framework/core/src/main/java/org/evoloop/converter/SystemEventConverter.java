@@ -261,6 +261,14 @@ public final class SystemEventConverter implements AutoCloseable {
     }
 
     /**
+     * The spares that can take the place of a component with this role. To know its role, a spare is made, and kept until
+     * it is used; one that cannot be made is left out.
+     */
+    public Set<String> spares(Component.Role role) {
+        return delegate.spares(role);
+    }
+
+    /**
      * Replaces the present models by others, together with their knowledge, between two events: no event is lost, none
      * is handled twice, and timers keep their remaining time. Waits until that is possible; in a converter without
      * threads it must be possible at once. Until another change, {@link #rollBack} leads back.
@@ -367,6 +375,16 @@ public final class SystemEventConverter implements AutoCloseable {
      */
     public ConverterStatus status() {
         return delegate.status();
+    }
+
+    /**
+     * What can happen next, and what the converter would do then. It is computed on the caller's thread; guards are not
+     * asked, and a rule of an analyze component is not either.
+     *
+     * @throws IllegalStateException if the converter is not built yet
+     */
+    public Outlook outlook() {
+        return delegate.outlook();
     }
 
     /** The last events and their outcomes, oldest first. */

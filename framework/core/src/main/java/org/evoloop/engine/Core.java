@@ -6,6 +6,7 @@ import java.util.Set;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
@@ -247,6 +248,12 @@ public final class Core implements Inputs {
     public String doubt() {
         Doubt doubt = ledger.place.doubt();
         return doubt == null ? "" : doubt.why();
+    }
+
+    /** The step of which it is unknown whether the device has taken it; null if there is none. */
+    public @Nullable Step doubtfulStep() {
+        Doubt doubt = ledger.place.doubt();
+        return doubt == null ? null : doubt.step();
     }
 
     /** The latest time of any input. */

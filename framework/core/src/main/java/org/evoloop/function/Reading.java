@@ -57,13 +57,18 @@ public record Reading(String name, Object value, String unit) {
         return new Reading(name, value, unit);
     }
 
+    /** Its name for people: {@code time left} for {@code timeLeft}. */
+    public String words() {
+        return name.replaceAll("(?<=[a-z])(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
+    }
+
     /**
      * For people, such as {@code distance 1.25 m}, {@code time left 4 min 30 s}, {@code docked}, {@code not docked} or
      * {@code error stuck}.
      */
     @Override
     public String toString() {
-        String words = name.replaceAll("(?<=[a-z])(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
+        String words = words();
         if (value instanceof Boolean holds) {
             return holds ? words : "not " + words;
         }

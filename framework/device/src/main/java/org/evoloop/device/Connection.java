@@ -1,6 +1,7 @@
 package org.evoloop.device;
 
 import java.io.IOException;
+import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
@@ -74,6 +75,26 @@ public abstract class Connection {
 
     /** Whatever in the section {@code device} holds for all that is sent over this connection. */
     public void device(Section device) {}
+
+    /**
+     * Finds out what becomes of all events that are sent to the device, also over other connections; called before {@link
+     * #device}.
+     *
+     * @param confirmed what the file says
+     */
+    public void confirms(Section confirmed) {
+        refuse(confirmed, "does not tell what became of an event; a connection to a broker does");
+    }
+
+    /** Whether a section of the device is for this connection: it names it with {@code key}, or none. */
+    protected final boolean isFor(Section section, String key) {
+        return section.text(key).map(named -> named.value().equals(name)).orElse(true);
+    }
+
+    /** Lets this connection find out what becomes of what this component sends; after {@link #assemble}. */
+    public void confirm(EventExecute execute) {
+        throw new IllegalStateException(name + " does not tell what became of an event");
+    }
 
     /** Something that a function or an effect does over this connection; it must not change the device's state. */
     public @Nullable Outward outward(Section action) {

@@ -19,6 +19,8 @@ final class Connections {
     /** Those that were refused: a rule that names one is no second mistake. */
     private final List<String> refused = new ArrayList<>();
 
+    private boolean allFound = true;
+
     /** Reads the section {@code connections} of {@code file}. */
     static Connections read(Section file, FileModels models) {
         Map<String, ConnectionKind> kinds = kinds();
@@ -65,6 +67,7 @@ final class Connections {
             if (byName.size() == 1 && refused.isEmpty()) {
                 return byName.values().iterator().next();
             }
+            allFound = false;
             if (!section.has(key) && refused.isEmpty()) {
                 section.problem(section.name() + " needs " + key + ", the name of a connection"
                         + Names.hint("", byName.keySet()));
@@ -72,6 +75,7 @@ final class Connections {
             return null;
         }
         Connection found = byName.get(name.value());
+        allFound &= found != null;
         if (found == null && !refused.contains(name.value())) {
             section.problems()
                     .at(name, "there is no connection '" + name + "'" + Names.hint(name.value(), byName.keySet()));
@@ -79,9 +83,9 @@ final class Connections {
         return found;
     }
 
-    /** Whether none was refused, so that all keys that they ask for are known. */
+    /** Whether none was refused or not found, so that all keys that they ask for are known. */
     boolean areKnown() {
-        return refused.isEmpty();
+        return refused.isEmpty() && allFound;
     }
 
     /** All of them, in the order of the file, and this computer. */

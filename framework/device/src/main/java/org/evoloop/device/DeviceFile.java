@@ -63,6 +63,7 @@ public final class DeviceFile {
     private final List<OptionLine> options;
     private final LearnSection learning;
     private final HomeSection home;
+    private final @Nullable Connection confirming;
 
     private DeviceFile(Path path, Reader reader, FileModels models, ModelReader read, Connections connections) {
         this.path = path;
@@ -79,6 +80,7 @@ public final class DeviceFile {
         this.options = List.copyOf(reader.options);
         this.learning = reader.learning;
         this.home = reader.home;
+        this.confirming = reader.confirming;
     }
 
     /**
@@ -154,6 +156,7 @@ public final class DeviceFile {
         this.options = next.options;
         this.learning = next.learning;
         this.home = next.home;
+        this.confirming = next.confirming;
     }
 
     /** The converter's name. */
@@ -238,6 +241,12 @@ public final class DeviceFile {
         return connections.all();
     }
 
+    /** The connection that tells what becomes of all that is sent; null if each tells that of its own. */
+    @Nullable
+    Connection confirming() {
+        return confirming;
+    }
+
     /** The knowledge of these models, with the file's functions. */
     public StateKnowledge knowledge(ModelPair of) {
         return new FileKnowledge(of, knowledge);
@@ -293,6 +302,7 @@ public final class DeviceFile {
         private final List<OptionLine> options = new ArrayList<>();
         private LearnSection learning = LearnSection.NONE;
         private HomeSection home = HomeSection.NONE;
+        private @Nullable Connection confirming;
         private final Guards guards;
         private final FileKnowledge.Content content;
 
@@ -353,10 +363,33 @@ public final class DeviceFile {
                 }
             });
             device.texts("do-not-pass").forEach(state -> doNotPass.add(models.deviceState(state)));
+            confirmed(device);
             connections.all().forEach(connection -> connection.device(device));
             if (connections.areKnown()) {
                 device.done();
             }
+        }
+
+        /** One connection may tell what becomes of what is sent over others, and one be asked where several could. */
+        private void confirmed(Section device) {
+            naming(device, "ask", "to").ifPresent(ask -> connections.named(ask, "to"));
+            naming(device, "confirmed", "from").ifPresent(confirmed -> {
+                confirming = connections.named(confirmed, "from");
+                if (confirming != null) {
+                    confirming.confirms(confirmed);
+                }
+            });
+        }
+
+        /** The section if it has this key; otherwise whether anybody knows it is left open. */
+        private static Optional<Section> naming(Section device, String section, String key) {
+            return device.node().entries().entrySet().stream()
+                    .filter(each -> each.getKey().value().equals(section))
+                    .filter(each -> each.getValue() instanceof Node.Entries pairs
+                            && pairs.entries().keySet().stream()
+                                    .anyMatch(has -> has.value().equals(key)))
+                    .findFirst()
+                    .flatMap(found -> device.section(section));
         }
 
         private void sends(Section send) {

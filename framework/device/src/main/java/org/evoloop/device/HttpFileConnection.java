@@ -7,9 +7,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.evoloop.config.Secret;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
@@ -42,18 +44,28 @@ final class HttpFileConnection extends Connection {
         this.base = base;
         this.models = models;
         this.headers = new LinkedHashMap<>();
-        section.pairs("headers").forEach((key, value) -> {
-            try {
-                HttpCall.get("http://any").header(key.value(), value.value());
-                headers.put(key.value(), value.value());
-            } catch (IllegalArgumentException refused) {
-                section.problems().at(key, String.valueOf(refused.getMessage()));
+        section.pairs("headers").forEach((key, value) -> header(section, key, Node.Text::value, value));
+        section.pairs("header-files").forEach((key, file) -> {
+            if (headers.containsKey(key.value())) {
+                section.problems().at(key, "the header " + key + " is given twice; keep it in one of both");
             }
+            header(section, key, text -> Secret.read(section.problems().file().resolveSibling(text.value())), file);
         });
         this.within = section.duration("within").orElse(Duration.ofSeconds(2));
         this.every = section.period("every").orElse(Duration.ofSeconds(5));
         this.downAfter = section.number("down-after", 1, 1000).orElse(3);
         this.question = section.value("poll", path -> call("GET " + path, "")).orElse(null);
+    }
+
+    /** @param value reads the header's value, which may be a secret */
+    private void header(Section section, Node.Text key, Function<Node.Text, String> value, Node.Text from) {
+        try {
+            String text = value.apply(from);
+            HttpCall.get("http://any").header(key.value(), text);
+            headers.put(key.value(), text);
+        } catch (IllegalArgumentException refused) {
+            section.problems().at(key, String.valueOf(refused.getMessage()));
+        }
     }
 
     static HttpFileConnection read(String name, Section section, FileModels models) {

@@ -154,7 +154,7 @@ final class LineFileConnection extends Connection {
             duties.add(execute -> execute.answeredBy(ok, error, within));
             answer.done();
         });
-        device.section("ask").ifPresent(ask -> {
+        device.section("ask").filter(ask -> isFor(ask, "to")).ifPresent(ask -> {
             Duration within = ask.duration("within").orElse(Duration.ofSeconds(2));
             if (states.isEmpty()) {
                 ask.problem("an answer to " + ask.name() + " is one of the lines of device.state, which has none");

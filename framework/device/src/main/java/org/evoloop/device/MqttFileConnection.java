@@ -12,8 +12,8 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import java.util.regex.Pattern;
 import org.evoloop.config.Secret;
+import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
@@ -34,8 +34,6 @@ import org.jspecify.annotations.Nullable;
 
 /** A device or a controller behind an MQTT broker, made of a {@link MqttMonitor} and a {@link MqttExecute}. */
 final class MqttFileConnection extends Connection {
-    private static final Pattern NOT_IN_A_LEVEL = Pattern.compile("[+#/\\u0000]");
-
     private final FileModels models;
     private final @Nullable BrokerAddress address;
     private final @Nullable String commandTopic;
@@ -48,6 +46,8 @@ final class MqttFileConnection extends Connection {
     private final Map<String, RemoteFunction> functions = new ConcurrentHashMap<>();
     private final Map<String, String> functionTopics = new LinkedHashMap<>();
     private boolean sends;
+    private boolean confirmsAll;
+    private volatile @Nullable MqttExecute execute;
     private boolean infers;
     private volatile @Nullable BrokerConnection opened;
 
@@ -184,17 +184,30 @@ final class MqttFileConnection extends Connection {
     }
 
     @Override
+    public void confirms(Section confirmed) {
+        confirmsAll = true;
+    }
+
+    @Override
+    public void confirm(EventExecute sender) {
+        requireNonNull(execute).through(sender);
+    }
+
+    @Override
     public void device(Section device) {
-        if (!sends) {
+        if (!sends && !confirmsAll) {
             return;
         }
-        device.section("confirmed").ifPresent(confirmed -> {
-            Duration within = confirmed.duration("within").orElse(Duration.ofSeconds(2));
-            requireStates(confirmed);
-            states.forEach(rule -> duties.add(execute -> execute.confirmedBy(rule.topic(), rule.states(), within)));
-            confirmed.done();
-        });
-        device.section("ask").ifPresent(ask -> {
+        device.section("confirmed")
+                .filter(confirmed -> isFor(confirmed, "from"))
+                .ifPresent(confirmed -> {
+                    Duration within = confirmed.duration("within").orElse(Duration.ofSeconds(2));
+                    requireStates(confirmed);
+                    states.forEach(
+                            rule -> duties.add(execute -> execute.confirmedBy(rule.topic(), rule.states(), within)));
+                    confirmed.done();
+                });
+        device.section("ask").filter(ask -> isFor(ask, "to")).ifPresent(ask -> {
             Duration within = ask.duration("within").orElse(Duration.ofSeconds(2));
             requireStates(ask);
             message(ask)
@@ -233,13 +246,9 @@ final class MqttFileConnection extends Connection {
         if (opened != null && !functions.containsKey(state.value())) {
             section.problem("a broker's connection that is open takes no further function; restart the converter");
         }
-        functionTopics.put(state.value(), topic == null ? usualTopic(models.converter(), state.value()) : topic);
+        functionTopics.put(
+                state.value(), topic == null ? MqttFunctions.topic(models.converter(), state.value()) : topic);
         return visit -> requireNonNull(functions.get(state.value())).run(visit);
-    }
-
-    private static String usualTopic(String converter, String state) {
-        return "evoloop/" + NOT_IN_A_LEVEL.matcher(converter).replaceAll("_") + "/function/"
-                + NOT_IN_A_LEVEL.matcher(state).replaceAll("_");
     }
 
     @Override
@@ -260,10 +269,11 @@ final class MqttFileConnection extends Connection {
             monitor.inferring(converter);
         }
         List<MqttExecute> executes = new ArrayList<>();
-        if (!messages.isEmpty()) {
-            MqttExecute execute = new MqttExecute(name() + "Execute", device, messages);
-            duties.forEach(each -> each.accept(execute));
-            executes.add(execute);
+        if (!messages.isEmpty() || confirmsAll) {
+            MqttExecute made = new MqttExecute(name() + "Execute", device, messages);
+            duties.forEach(each -> each.accept(made));
+            executes.add(made);
+            execute = made;
         }
         return new Parts(List.of(monitor), executes, device, connection::open, connection::close);
     }

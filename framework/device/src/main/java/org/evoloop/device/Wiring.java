@@ -2,7 +2,10 @@ package org.evoloop.device;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.evoloop.converter.DeviceLink;
@@ -21,14 +24,24 @@ final class Wiring {
      */
     static List<DeviceLink> add(DeviceFile file, SystemEventConverter converter, Consumer<Parts> each)
             throws IOException {
-        List<Parts> all = new ArrayList<>();
+        Map<Connection, Parts> all = new LinkedHashMap<>();
         for (Connection connection : file.connections()) {
             Parts parts = connection.assemble(converter);
             // First, so that they are closed if what follows fails.
             each.accept(parts);
-            all.add(parts);
+            all.put(connection, parts);
         }
-        return add(all, converter);
+        Connection confirming = file.confirming();
+        if (confirming != null) {
+            all.replaceAll((connection, parts) -> connection == confirming ? parts : confirmedBy(confirming, parts));
+        }
+        return add(all.values(), converter);
+    }
+
+    /** Parts whose components send for another connection's. */
+    private static Parts confirmedBy(Connection confirming, Parts parts) {
+        parts.executes().forEach(confirming::confirm);
+        return new Parts(parts.monitors(), List.of(), parts.link(), parts.open(), parts.close(), parts.commands());
     }
 
     /** As {@link #add}, of connections that simulate what is at their other end; empty if none does. */
@@ -45,7 +58,7 @@ final class Wiring {
         return all.isEmpty() ? Optional.empty() : Optional.of(add(all, converter));
     }
 
-    private static List<DeviceLink> add(List<Parts> all, SystemEventConverter converter) {
+    private static List<DeviceLink> add(Collection<Parts> all, SystemEventConverter converter) {
         List<DeviceLink> links = new ArrayList<>();
         for (Parts parts : all) {
             parts.monitors().forEach(converter::addMonitor);

@@ -2,6 +2,7 @@ package org.evoloop.device;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.InstanceOfAssertFactories.STRING;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -125,6 +126,25 @@ class DeviceFileTest {
         assertThat(service.journal()).isEqualTo(folder.resolve("kept"));
         assertThat(service.start()).isTrue();
         assertThat(PageOptions.of(settings).port()).isEqualTo(9090);
+    }
+
+    @Test
+    void onlyAConnectionThatReportsCanConfirmWhatIsSentOverOthers() {
+        String confirmed = FAN.replace("device:\n", "device:\n  confirmed: {from: fan}\n");
+        int line = FAN.substring(0, FAN.indexOf("device:")).split("\n").length + 2;
+        assertThat(mistakes(confirmed))
+                .containsExactly(
+                        "fan.yaml:" + line + ": connection fan, of the kind lines, does not tell what became of an"
+                                + " event; a connection to a broker does");
+        assertThat(mistakes(confirmed.replace("from: fan", "from: meter")))
+                .first(STRING)
+                .contains(":" + line + ": there is no connection 'meter'");
+        assertThat(mistakes(confirmed.replace("from: fan", "within: 2 s")))
+                .first(STRING)
+                .contains("'confirmed' is not known");
+        assertThat(mistakes(FAN.replace("ask: {line: STATE?}", "ask: {line: STATE?, to: meter}")))
+                .first(STRING)
+                .contains("there is no connection 'meter'");
     }
 
     @Test

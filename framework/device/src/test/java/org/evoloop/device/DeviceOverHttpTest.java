@@ -59,7 +59,7 @@ class DeviceOverHttpTest {
             converter: kettle
             models: {original: kettle.md#original, new: kettle.md#new}
             connections:
-              kettle: {http: "DEVICE", poll: /state, every: 50 ms, headers: {X-Key: abc}}
+              kettle: {http: "DEVICE", poll: /state, every: 50 ms, headers: {X-User: me}, header-files: {X-Key: key.txt}}
               buttons: {webhooks: PORT}
             device:
               send: {power: {to: kettle, call: POST /power}}
@@ -81,11 +81,13 @@ class DeviceOverHttpTest {
     @BeforeEach
     void draw() throws IOException {
         Files.writeString(folder.resolve("kettle.md"), MODELS);
+        Files.writeString(folder.resolve("key.txt"), "abc\n");
     }
 
     private void answer(HttpExchange exchange) throws IOException {
         if (exchange.getRequestMethod().equals("POST")) {
             called.add(exchange.getRequestURI() + " "
+                    + exchange.getRequestHeaders().getFirst("X-User") + " "
                     + exchange.getRequestHeaders().getFirst("X-Key"));
             state = state.equals("off") ? "heating" : "off";
         }
@@ -113,7 +115,7 @@ class DeviceOverHttpTest {
             console.awaitStatus("kettle, running");
             call(port, "/tea");
             console.awaitHistory("tea (controller)  (Off, Off) -> (Heating, Tea)");
-            assertThat(called).containsExactly("/power abc");
+            assertThat(called).containsExactly("/power me abc");
             state = "ready";
             console.awaitHistory("(Heating, Tea) -> (Ready, Ready)");
             console.exit(status);

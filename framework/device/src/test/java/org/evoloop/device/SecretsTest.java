@@ -37,7 +37,7 @@ class SecretsTest {
             converter: lamp
             models: {original: m.md#original, new: m.md#new}
             connections:
-              api: {http: "http://127.0.0.1:1", poll: /state?key=s3cr3t, every: 50 ms, headers: {Authorization: Bearer s3cr3t}}
+              api: {http: "http://127.0.0.1:1", poll: /state?key=s3cr3t, every: 50 ms, headers: {Authorization: Bearer s3cr3t}, header-files: {X-Key: password}}
               broker: {mqtt: "mqtt://me@127.0.0.1:1", password-file: password}
               tool: {program: [/no/such/tool, --token, s3cr3t]}
             device:
@@ -161,6 +161,8 @@ class SecretsTest {
                 "api: {http: \"ftp://me:s3cr3t@h\"}",
                 "api: {http: \"http://h\", headers: {\"a b\": s3cr3t}}",
                 "api: {http: \"http://h\", headers: {a: \"s3cr3t\\u0007\"}, poll: /x}",
+                "api: {http: \"http://h\", header-files: {\"a b\": password}}",
+                "api: {http: \"http://h\", headers: {a: s3cr3t}, header-files: {a: password}}",
                 "api: {http: \"http://h\", poll: \"no/path?key=s3cr3t\"}",
                 "tool: {program: [\" \", s3cr3t]}",
                 "mqtt: mqtt://me:s3cr3t@h",

@@ -208,6 +208,25 @@ class SectionsTest {
         assertThatThrownBy(() -> read(text)).hasMessageContaining(message);
     }
 
+    /** Which keys the device has beside them depends on the connection that is missing. */
+    @Test
+    void whatFollowsFromAMissingConnectionIsNotSaidToo() {
+        String text = """
+                converter: x
+                connections: {broker: {mqtt: "mqtt://a", command-topic: a}, panel: {program: [cat]}}
+                device:
+                  send: {power: {payload: P}}
+                  confirmed: {within: 1 s}
+                """;
+        assertThatThrownBy(() -> read(text))
+                .satisfies(
+                        refused -> assertThat(refused.getMessage().lines())
+                                .singleElement()
+                                .asString()
+                                .endsWith(
+                                        "lamp.yaml:4: device.send.power needs to, the name of a connection; there is broker, panel"));
+    }
+
     @Test
     void aFileThatIsNoneIsRefusedWithItsName() throws IOException {
         assertThatThrownBy(() -> DeviceFile.read(folder, Options.of())).hasMessageContaining("is a directory");

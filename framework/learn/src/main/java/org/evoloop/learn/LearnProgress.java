@@ -1,7 +1,5 @@
 package org.evoloop.learn;
 
-import java.time.Duration;
-
 /**
  * Told how far learning is.
  *
@@ -14,9 +12,8 @@ public interface LearnProgress {
     /**
      * A word was answered by the device, or a hypothesis was made.
      *
-     * @param states how many states are known
-     * @param words how many words the device was given
-     * @param elapsed since learning began
+     * @param soFar the best machine so far; it is open until learning ends
+     * @param expected how many words the test of that machine takes at most from here on, if the device passes it
      */
-    void at(int states, int words, Duration elapsed);
+    void at(Learned soFar, int expected);
 }

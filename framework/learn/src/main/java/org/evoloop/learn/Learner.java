@@ -89,15 +89,15 @@ public final class Learner {
             open = String.valueOf(end.getMessage());
         }
         String left = session.leave();
-        return Learned.of(
-                best,
-                answers.tree(),
-                names,
-                never,
-                depth,
-                session.words(),
-                session.elapsed(),
-                open + (open.isEmpty() || left.isEmpty() ? "" : "; ") + left);
+        return soFar(open + (open.isEmpty() || left.isEmpty() ? "" : "; ") + left);
+    }
+
+    private Learned soFar(String open) {
+        return Learned.of(best, answers.tree(), names, never, depth, session.words(), session.elapsed(), open);
+    }
+
+    private void tell(int expected) {
+        progress.at(soFar("it is still being learned"), expected);
     }
 
     /** Whether the first model explains every answer to the words that test its transitions. */
@@ -112,15 +112,16 @@ public final class Learner {
         if (!suite.tellsAllApart()) {
             return false;
         }
-        for (List<String> word : suite.words(0)) {
-            answers.outputs(word);
+        List<List<String>> words = suite.words(0);
+        for (int i = 0; i < words.size(); i++) {
+            answers.outputs(words.get(i));
             Mealy confirmed = declared.confirmed(answers.tree().root());
             if (confirmed == null) {
                 return false;
             }
             best = confirmed;
             names = declared.names();
-            progress.at(confirmed.size(), session.words(), session.elapsed());
+            tell(words.size() - i - 1);
         }
         depth = 0;
         return true;
@@ -136,7 +137,6 @@ public final class Learner {
         while (true) {
             Mealy hypothesis = Mealy.of(learner.getHypothesisModel(), inputs);
             best = hypothesis;
-            progress.at(hypothesis.size(), session.words(), session.elapsed());
             List<String> example = counterexample(hypothesis);
             if (example == null) {
                 return true;
@@ -154,7 +154,10 @@ public final class Learner {
         if (known != null) {
             return known;
         }
-        for (List<String> word : new Suite(hypothesis).words(settings.depth())) {
+        List<List<String>> words = new Suite(hypothesis).words(settings.depth());
+        tell(words.size());
+        for (int i = 0; i < words.size(); i++) {
+            List<String> word = words.get(i);
             int before = session.words();
             int length = differs(hypothesis, word, answers.outputs(word));
             if (length > 0) {
@@ -163,7 +166,7 @@ public final class Learner {
                 return example;
             }
             if (session.words() > before) {
-                progress.at(hypothesis.size(), session.words(), session.elapsed());
+                tell(words.size() - i - 1);
             }
         }
         return null;

@@ -83,7 +83,7 @@ class ConverterDeviceTest {
                         clock,
                         null,
                         null,
-                        (states, words, elapsed) -> {})
+                        (soFar, expected) -> {})
                 .learn();
 
         assertThat(learned.open()).isEmpty();

@@ -29,7 +29,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class LearnerTest {
     private static final Duration MINUTE = Duration.ofMinutes(1);
     private static final LearnSettings SETTINGS = new LearnSettings(MINUTE, Duration.ofDays(3_650), 1);
-    private static final LearnProgress QUIET = (states, words, elapsed) -> {};
+    private static final LearnProgress QUIET = (soFar, expected) -> {};
     /** A small machine without timers. */
     private static final long SMALL = 8;
 

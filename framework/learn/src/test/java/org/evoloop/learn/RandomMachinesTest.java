@@ -38,7 +38,14 @@ class RandomMachinesTest {
             RandomDevice device = RandomDevice.of(seed, new ManualClock());
             long begin = device.clock.nanoTime();
             Learned learned = new Learner(
-                            device, device.inputs, LearnRules.NONE, SETTINGS, device.clock, null, null, (a, b, c) -> {})
+                            device,
+                            device.inputs,
+                            LearnRules.NONE,
+                            SETTINGS,
+                            device.clock,
+                            null,
+                            null,
+                            (soFar, expected) -> {})
                     .learn();
             String difference = device.differs(learned);
             if (!difference.isEmpty() || !learned.open().isEmpty()) {

@@ -27,6 +27,7 @@ import org.evoloop.learn.Learned;
 import org.evoloop.learn.Learner;
 import org.evoloop.learn.LookExecute;
 import org.evoloop.models.flat.AstahWriter;
+import org.evoloop.page.PageOptions;
 import org.evoloop.statechart.FlatDrawing;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
@@ -36,6 +37,7 @@ import org.evoloop.time.SystemClock;
 import org.evoloop.xmi.ModelReference;
 import org.evoloop.xmi.ModelWriter;
 import org.jspecify.annotations.Nullable;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -105,6 +107,26 @@ final class LearnCommand implements Callable<Integer> {
             paramLabel = "DIR",
             description = "Keeps all answers there; the next start goes on with them.")
     private @Nullable Path journal;
+
+    @Option(
+            names = "--page",
+            paramLabel = "[HOST:]PORT",
+            converter = PageAddress.class,
+            description =
+                    "Shows in the browser what is known so far, and what the device does (default: nothing listens).")
+    private PageOptions page = PageOptions.none();
+
+    /** Reads the address of a page. */
+    static final class PageAddress implements CommandLine.ITypeConverter<PageOptions> {
+        @Override
+        public PageOptions convert(String address) {
+            try {
+                return PageOptions.at(address);
+            } catch (IllegalArgumentException wrong) {
+                throw new CommandLine.TypeConversionException(wrong.getMessage());
+            }
+        }
+    }
 
     @Override
     public Integer call() throws IOException {
@@ -198,12 +220,20 @@ final class LearnCommand implements Callable<Integer> {
         try (Clock clock = new SystemClock();
                 AnswerLog log = log(device.name());
                 DeviceConverter opened = DeviceConverter.open(
-                        device, device.free(LookExecute.LOOK, LookExecute.SEEN), clock, buttons, new LookExecute())) {
+                        device, device.free(LookExecute.LOOK, LookExecute.SEEN), clock, buttons, new LookExecute());
+                LearnPage progress = new LearnPage(page, opened.converter(), settings.budget())) {
             LearnRules rules = rules(section);
             ConverterDevice port = new ConverterDevice(
                     opened.converter(), buttons, rules, section.home(), section.reset(), section.settle());
             Learner learner = new Learner(
-                    port, device.sent().stream().sorted().toList(), rules, settings, clock, declared, log, progress());
+                    port,
+                    device.sent().stream().sorted().toList(),
+                    rules,
+                    settings,
+                    clock,
+                    declared,
+                    log,
+                    onTerminal(progress));
             return Interruptible.call(learner::learn);
         }
     }
@@ -230,13 +260,14 @@ final class LearnCommand implements Callable<Integer> {
                                 section.hours().get(0), section.hours().get(1), ZoneId.systemDefault()));
     }
 
-    private LearnProgress progress() {
+    private LearnProgress onTerminal(LearnPage progress) {
         PrintWriter err = spec.commandLine().getErr();
         if (!Console.isOnTerminal()) {
-            return (states, words, elapsed) -> {};
+            return progress;
         }
-        return (states, words, elapsed) -> {
-            err.print("\r" + states + " states, " + words + " words, " + elapsed.toSeconds() + " s ");
+        return (soFar, expected) -> {
+            progress.at(soFar, expected);
+            err.print("\r" + progress.line() + " ");
             err.flush();
         };
     }

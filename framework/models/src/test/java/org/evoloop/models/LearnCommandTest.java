@@ -1,6 +1,7 @@
 package org.evoloop.models;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
 
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -10,11 +11,17 @@ import java.io.StringWriter;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Random;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -182,6 +189,39 @@ class LearnCommandTest {
         for (int seed = 0; seed < 20; seed++) {
             killed(5, seed);
             Files.delete(folder.resolve("answers").resolve("answers.log"));
+        }
+    }
+
+    /** The page is asked while the device answers, so that something is known, but not all. */
+    @Test
+    void thePageShowsWhatIsKnownSoFar() throws Exception {
+        int port = freePort();
+        CompletableFuture<String> seen = CompletableFuture.supplyAsync(() -> await().pollInterval(Duration.ofMillis(20))
+                .atMost(Duration.ofMinutes(1))
+                .until(() -> picture(port), text -> text.contains("<svg")));
+
+        int status = learn("", "--output=" + folder.resolve("dimmer.mmd"), "--longest=50 ms", "--page=" + port);
+
+        assertThat(status).isZero();
+        assertThat(seen.get(1, TimeUnit.MINUTES)).contains("Off").contains("</svg>");
+    }
+
+    private static int freePort() throws IOException {
+        try (ServerSocket probe = new ServerSocket(0)) {
+            return probe.getLocalPort();
+        }
+    }
+
+    private static String picture(int port) throws InterruptedException {
+        try {
+            return HttpClient.newHttpClient()
+                    .send(
+                            HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + port + "/picture"))
+                                    .build(),
+                            HttpResponse.BodyHandlers.ofString())
+                    .body();
+        } catch (IOException notYet) {
+            return "";
         }
     }
 

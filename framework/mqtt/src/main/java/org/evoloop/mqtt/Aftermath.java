@@ -20,12 +20,17 @@ final class Aftermath {
     /** What follows from the state, if it is reported when nothing is unknown. */
     private final Map<Consumer<String>, String> held = new LinkedHashMap<>();
 
+    private final Turns turns;
     private volatile boolean retained;
     private boolean sending;
     private boolean unknown;
     private String source = "";
     private String target = "";
     private Clock.@Nullable Timer timer;
+
+    Aftermath(Turns turns) {
+        this.turns = turns;
+    }
 
     /** A message has come on the topic; what it says is heard next. */
     void receives(Message message) {
@@ -50,7 +55,7 @@ final class Aftermath {
         unknown = true;
         target = to;
         stopTimer();
-        timer = clock.schedule(limit, this::over);
+        timer = clock.schedule(limit, () -> turns.take(this::over));
     }
 
     /** The device's state is known. */

@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code id=ID}: the converter's name at the broker (default: its name)
  *   <li>{@code ca=FILE}: with TLS, the certificates, in PEM, that signed the broker's (default: those that Java trusts)
  *   <li>{@code sha256=FINGERPRINT}: with TLS, the broker's own certificate, such as one that it signed itself; no other
- *       is trusted
+ *       is trusted. With {@code sha256=ask} none is, and the message about it shows the fingerprint, to be confirmed
  *   <li>{@code discovery=PREFIX}: where Home Assistant looks for devices (default: {@code homeassistant})
  * </ul>
  *

@@ -58,6 +58,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
     private volatile @Nullable Instant downSince = Instant.now();
     private volatile String trouble;
     private final AtomicLong connects = new AtomicLong();
+    private final Turns turns = new Turns();
 
     /** @param client the client's identifier at the broker; if two have the same, it disconnects the older */
     public BrokerConnection(BrokerAddress address, String client) {
@@ -98,10 +99,15 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
     /** What is known of commands to the device that reports its state on this topic; before {@link #open}. */
     synchronized Aftermath aftermath(String topic) {
         return aftermaths.computeIfAbsent(topic, first -> {
-            Aftermath made = new Aftermath();
+            Aftermath made = new Aftermath(turns);
             subscribeFirst(topic, made::receives);
             return made;
         });
+    }
+
+    /** In which messages are received; what a timer says of them is said there, too. */
+    Turns turns() {
+        return turns;
     }
 
     private Deque<Consumer<Message>> consumersOf(String topic) {
@@ -240,7 +246,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
             all = List.copyOf(consumers.getOrDefault(message.topic(), new ArrayDeque<>()));
         }
         if (!closing) {
-            all.forEach(consumer -> hand(message, consumer));
+            turns.take(() -> all.forEach(consumer -> hand(message, consumer)));
         }
     }
 

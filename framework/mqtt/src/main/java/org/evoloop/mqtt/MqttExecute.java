@@ -1,12 +1,11 @@
 package org.evoloop.mqtt;
 
-import java.io.IOException;
 import java.time.Duration;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Collectors;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.UnknownEffectException;
 import org.evoloop.evolution.Step;
@@ -31,6 +30,8 @@ import org.jspecify.annotations.Nullable;
  * executed when it was published. While the device or the broker cannot be reached a step fails; nothing is sent later
  * or twice.
  *
+ * <p>What is sent by another way, such as infrared, can be confirmed by what a meter reports, see {@link #through}.
+ *
  * <p>Lifecycle: configure it before the connection is opened.
  *
  * <p>Threading: as {@link EventExecute}.
@@ -39,7 +40,7 @@ import org.jspecify.annotations.Nullable;
  */
 public class MqttExecute extends EventExecute {
     private final MqttDevice device;
-    private final Map<String, Command> commands;
+    private final Map<String, Command> commands = new LinkedHashMap<>();
     private final Reports confirmations;
     private final Reports answers;
     private final Set<Aftermath> aftermaths = new LinkedHashSet<>();
@@ -54,10 +55,16 @@ public class MqttExecute extends EventExecute {
     private @Nullable Question question;
     private Rest rest;
 
-    private record Command(Message message, Template payload) {
-        Command(Message message) {
-            this(message, Template.of(message.payload()));
-        }
+    /**
+     * How an event is sent.
+     *
+     * @param what for messages
+     */
+    private record Command(String what, Sending how) {}
+
+    /** Sends an event. */
+    private interface Sending {
+        void send(Step step) throws Exception;
     }
 
     private record Question(Message message, Duration limit) {}
@@ -71,8 +78,15 @@ public class MqttExecute extends EventExecute {
     public MqttExecute(String name, MqttDevice device, Map<String, Message> messages) {
         super(name);
         this.device = device;
-        this.commands = messages.entrySet().stream()
-                .collect(Collectors.toUnmodifiableMap(Map.Entry::getKey, entry -> new Command(entry.getValue())));
+        messages.forEach((event, message) -> {
+            Template payload = Template.of(message.payload());
+            commands.put(
+                    event,
+                    new Command(
+                            "the message to " + message.topic(),
+                            step -> device.connection()
+                                    .publish(new Message(message.topic(), payload.with(values()), message.kind()))));
+        });
         this.confirmations = new Reports(device);
         this.answers = new Reports(device);
         this.rest = new Rest(device.clock(), Duration.ZERO);
@@ -81,7 +95,8 @@ public class MqttExecute extends EventExecute {
     /**
      * Declares that a topic reports the device's state: a step has been executed when it reports the state to which the
      * step leads. Other reports are left to a monitor. If it does not within the limit, or the device is lost meanwhile,
-     * whether the step had its effect is unknown; it still may have it within the limit again, but no later.
+     * whether the step had its effect is unknown; it still may have it within the limit again, but no later. No report tells
+     * whether a step that leaves the state as it is had an effect, so that is executed when it was published.
      *
      * @param states of the original model, by what the topic says
      * @param limit the time limit from publishing to the report
@@ -90,6 +105,15 @@ public class MqttExecute extends EventExecute {
         aftermaths.add(device.connection().aftermath(topic));
         confirmations.subscribe(topic, states);
         confirmed = Clock.requireDelay(limit);
+        return this;
+    }
+
+    /**
+     * Sends further events by another component, which must not be added to the converter: this one finds out what becomes
+     * of them, as of its own.
+     */
+    public final MqttExecute through(EventExecute sender) {
+        sender.sendsFor().forEach(event -> commands.put(event, new Command(event, step -> sender.sendFor(this, step))));
         return this;
     }
 
@@ -118,7 +142,7 @@ public class MqttExecute extends EventExecute {
 
     @Override
     protected final Set<String> sendableEvents() {
-        return commands.keySet();
+        return Set.copyOf(commands.keySet());
     }
 
     @Override
@@ -127,35 +151,35 @@ public class MqttExecute extends EventExecute {
     }
 
     @Override
-    protected void send(Step step) throws IOException, InterruptedException {
+    protected void send(Step step) throws Exception {
         Command command = commands.get(step.event().name());
         if (command == null) {
             throw new IllegalArgumentException(name() + " has no message for " + step.event());
         }
-        Message template = command.message();
-        Message message = new Message(template.topic(), command.payload().with(values()), template.kind());
         requireUp(step.event().toString());
         Duration limit = confirmed;
         try {
-            if (limit == null) {
-                device.connection().publish(message);
+            if (limit == null || step.source().equals(step.target())) {
+                command.how().send(step);
                 return;
             }
-            sendConfirmed(step, message, limit);
+            sendConfirmed(step, command, limit);
         } finally {
             rest.begin();
         }
     }
 
-    private void sendConfirmed(Step step, Message message, Duration limit) throws IOException, InterruptedException {
+    private void sendConfirmed(Step step, Command command, Duration limit) throws Exception {
         awaited = step.target().name();
         aftermaths.forEach(each -> each.sends(step.source().name(), awaited));
         try {
-            confirmations.await(message, awaited, limit, this::isConfirmed);
-        } finally {
-            if (!awaited.isEmpty()) {
-                leaveUnknown(limit);
-            }
+            confirmations.await(command.what(), () -> command.how().send(step), awaited, limit, this::isConfirmed);
+        } catch (UnknownEffectException | InterruptedException unknown) {
+            leaveUnknown(limit);
+            throw unknown;
+        } catch (Exception unsent) {
+            settle();
+            throw unsent;
         }
     }
 
@@ -181,7 +205,7 @@ public class MqttExecute extends EventExecute {
     }
 
     @Override
-    protected Optional<String> locate() throws UnknownEffectException, InterruptedException {
+    protected Optional<String> locate() throws Exception {
         Question asked = question;
         if (asked == null) {
             return Optional.empty();
@@ -196,8 +220,6 @@ public class MqttExecute extends EventExecute {
         requireUp("the question for its state");
         long left =
                 awaited.isEmpty() ? 0 : Math.max(0, untilNanos - device.clock().nanoTime());
-        String answer = answers.ask(asked.message(), awaited, Duration.ofNanos(left), asked.limit());
-        settle();
-        return Optional.of(answer);
+        return Optional.of(answers.ask(asked.message(), awaited, Duration.ofNanos(left), asked.limit(), this::settle));
     }
 }

@@ -1,6 +1,7 @@
 package org.evoloop.mqtt;
 
 import java.util.List;
+import java.util.regex.Pattern;
 import org.evoloop.payload.RemoteFunction;
 
 /**
@@ -13,6 +14,8 @@ import org.evoloop.payload.RemoteFunction;
  * @since 0.1
  */
 public final class MqttFunctions implements RemoteFunction.Channel {
+    private static final Pattern NOT_IN_A_LEVEL = Pattern.compile("[+#/\\u0000]");
+
     private final MqttDevice device;
     private final String prefix;
 
@@ -20,6 +23,12 @@ public final class MqttFunctions implements RemoteFunction.Channel {
     public MqttFunctions(MqttDevice device, String prefix) {
         this.device = device;
         this.prefix = prefix;
+    }
+
+    /** The prefix that device files use: {@code evoloop/CONVERTER/function/STATE}. */
+    public static String topic(String converter, String state) {
+        return "evoloop/" + NOT_IN_A_LEVEL.matcher(converter).replaceAll("_") + "/function/"
+                + NOT_IN_A_LEVEL.matcher(state).replaceAll("_");
     }
 
     @Override

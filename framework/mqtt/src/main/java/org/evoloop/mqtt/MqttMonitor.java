@@ -60,7 +60,7 @@ public class MqttMonitor extends PushMonitor {
     private MqttMonitor(String name, BrokerConnection connection, @Nullable Clock clock) {
         super(name);
         this.connection = connection;
-        this.rules = new TopicRules(clock, connection::subscribe);
+        this.rules = new TopicRules(clock, connection.turns(), connection::subscribe);
     }
 
     /**

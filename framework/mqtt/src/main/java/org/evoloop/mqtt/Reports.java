@@ -60,7 +60,7 @@ final class Reports {
     Reports(MqttDevice device) {
         this.device = device;
         // Before a monitor, so that a step is over before its result is found.
-        this.rules = new TopicRules(device.clock(), device.connection()::subscribeFirst);
+        this.rules = new TopicRules(device.clock(), device.connection().turns(), device.connection()::subscribeFirst);
         device.onLost(why -> fail(current, why));
     }
 
@@ -82,16 +82,28 @@ final class Reports {
         }
     }
 
+    /** Sends something. */
+    @FunctionalInterface
+    interface Sending {
+        /**
+         * Sends it.
+         *
+         * @throws Exception any failure: nothing was sent, unless it is an {@link UnknownEffectException}
+         */
+        void send() throws Exception;
+    }
+
     /**
-     * Publishes a message and waits for the report of a state.
+     * Sends a command and waits for the report of a state.
      *
+     * @param what for messages
      * @param then run when it is reported, before anybody else hears of it
      * @throws UnknownEffectException if there is none within the limit, or the device is lost meanwhile
+     * @throws Exception as {@code sending}
      */
-    String await(Message message, String wanted, Duration limit, Runnable then)
-            throws UnknownEffectException, InterruptedException {
+    void await(String what, Sending sending, String wanted, Duration limit, Runnable then) throws Exception {
         Wait wait = new Wait(wanted, then);
-        return await(message, wait, limit, wait::fail);
+        await(what, sending, wait, limit, wait::fail);
     }
 
     /**
@@ -99,14 +111,16 @@ final class Reports {
      *
      * @param wanted the state that counts whenever it is reported
      * @param from when others count, too; then the newest does, if one has been reported
+     * @param then run when it is answered, before anybody else hears of it
      * @throws UnknownEffectException if there is none within the limit, or the device is lost meanwhile
      */
-    String ask(Message question, String wanted, Duration from, Duration limit)
-            throws UnknownEffectException, InterruptedException {
-        Wait wait = new Wait(wanted, () -> {});
-        Clock.Timer later = device.clock().schedule(from, wait::takeAny);
+    String ask(Message question, String wanted, Duration from, Duration limit, Runnable then) throws Exception {
+        Wait wait = new Wait(wanted, then);
+        Clock.Timer later =
+                device.clock().schedule(from, () -> device.connection().turns().take(wait::takeAny));
         try {
-            return await(question, wait, limit, late -> {
+            Sending asking = () -> device.connection().publish(question);
+            return await("the message to " + question.topic(), asking, wait, limit, late -> {
                 if (!wait.isAboutToTakeOne()) {
                     wait.fail(late);
                 }
@@ -116,14 +130,13 @@ final class Reports {
         }
     }
 
-    private String await(Message message, Wait wait, Duration limit, Consumer<String> onLimit)
-            throws UnknownEffectException, InterruptedException {
-        String late = "the device has not reported within " + limit.toMillis() + " ms what became of the message to "
-                + message.topic();
+    private String await(String what, Sending sending, Wait wait, Duration limit, Consumer<String> onLimit)
+            throws Exception {
+        String late = "the device has not reported within " + limit.toMillis() + " ms what became of " + what;
         Clock.Timer timer = device.clock().schedule(limit, () -> onLimit.accept(late));
         current = wait;
         try {
-            device.connection().publish(message);
+            sending.send();
             return wait.state.get();
         } catch (ExecutionException none) {
             Throwable cause = none.getCause();

@@ -19,6 +19,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class TopicRules {
     private final @Nullable Clock clock;
+    private final Turns turns;
     private final BiConsumer<String, Consumer<Message>> subscribe;
     private final Map<String, List<Rule>> rules = new HashMap<>();
     private final List<Held> states = new CopyOnWriteArrayList<>();
@@ -37,9 +38,11 @@ final class TopicRules {
      * No rules so far.
      *
      * @param clock null if no meaning has to hold for a time
+     * @param turns those of the messages
      */
-    TopicRules(@Nullable Clock clock, BiConsumer<String, Consumer<Message>> subscribe) {
+    TopicRules(@Nullable Clock clock, Turns turns, BiConsumer<String, Consumer<Message>> subscribe) {
         this.clock = clock;
+        this.turns = turns;
         this.subscribe = subscribe;
     }
 
@@ -58,7 +61,7 @@ final class TopicRules {
     }
 
     private Held held(String topic, Meanings meanings, Use use, Consumer<Meanings.Meaning> told) {
-        Held held = new Held(requireClock(topic), meanings, use, told);
+        Held held = new Held(requireClock(topic), turns, meanings, use, told);
         if (use != Use.EVENT) {
             states.add(held);
         }
@@ -99,14 +102,16 @@ final class TopicRules {
     /** Passes on what has held for a time: a state whenever it is reported, an event once, when that has begun. */
     private static final class Held {
         private final Clock clock;
+        private final Turns turns;
         private final Steady steady;
         private final Use use;
         private final Consumer<Meanings.Meaning> then;
         private @Nullable String last;
         private Clock.@Nullable Timer timer;
 
-        Held(Clock clock, Meanings meanings, Use use, Consumer<Meanings.Meaning> then) {
+        Held(Clock clock, Turns turns, Meanings meanings, Use use, Consumer<Meanings.Meaning> then) {
             this.clock = clock;
+            this.turns = turns;
             this.steady = new Steady(clock, meanings.lasting());
             this.use = use;
             this.then = then;
@@ -138,7 +143,7 @@ final class TopicRules {
             if (steady.left().isZero()) {
                 return now;
             }
-            now.ifPresent(meaning -> timer = clock.schedule(steady.left(), () -> settle(meaning)));
+            now.ifPresent(meaning -> timer = clock.schedule(steady.left(), () -> turns.take(() -> settle(meaning))));
             return Optional.empty();
         }
 

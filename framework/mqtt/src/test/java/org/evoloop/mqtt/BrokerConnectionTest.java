@@ -189,6 +189,8 @@ class BrokerConnectionTest {
         assertThat(trouble(own, "sha256=" + fingerprint(own))).isEmpty();
         assertThat(trouble(foreign, "sha256=" + fingerprint(own)))
                 .contains("certificate is not trusted", "sha256 is " + fingerprint(foreign));
+        assertThat(trouble(own, "sha256=ask"))
+                .contains("nobody has confirmed it yet", "openssl s_client", "write sha256=" + fingerprint(own));
         assertThat(trouble(own, "id=x")).contains("certificate is not trusted", "?sha256=FINGERPRINT");
     }
 

@@ -52,7 +52,7 @@ class LossyLampTest {
     private void press(int presses, Faults faults, long seed) throws Exception {
         try (Mosquitto broker = new Mosquitto(directory).start();
                 Imitation lamp = new Imitation(MODEL, faults, seed);
-                Gateway gateway = new Gateway(broker, "z2m/lamp", lamp);
+                Gateway gateway = new Gateway(broker.port(), "z2m/lamp", lamp);
                 SystemClock clock = new SystemClock();
                 BrokerConnection connection = new BrokerConnection(BrokerAddress.parse(broker.url()), "converter");
                 SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock))) {

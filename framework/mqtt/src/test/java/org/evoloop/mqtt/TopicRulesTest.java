@@ -25,7 +25,8 @@ class TopicRulesTest {
     private final ManualClock clock = new ManualClock();
     private final Map<String, Consumer<Message>> subscribed = new HashMap<>();
     private final List<String> heard = new ArrayList<>();
-    private final TopicRules rules = new TopicRules(clock, subscribed::put);
+    private final Turns turns = new Turns();
+    private final TopicRules rules = new TopicRules(clock, turns, subscribed::put);
 
     @AfterEach
     void close() {
@@ -50,6 +51,18 @@ class TopicRulesTest {
         says("50");
         subscribed.get(POWER).accept(Message.state(POWER, "1"));
         assertThat(heard).containsExactly("Off", "Heating", "Any");
+    }
+
+    @Test
+    void whatAMessageEndsIsNotReportedByATimerThatIsDueMeanwhile() {
+        add(LOW.lasting(SECOND), TopicRules.Use.STATE);
+        add(HIGH, TopicRules.Use.STATE);
+        says("1");
+        turns.take(() -> {
+            clock.advance(SECOND);
+            says("200");
+        });
+        assertThat(heard).containsExactly("Heating");
     }
 
     @Test
@@ -114,7 +127,7 @@ class TopicRulesTest {
 
     @Test
     void withoutAClockNothingCanLast() {
-        assertThatThrownBy(() -> new TopicRules(null, subscribed::put)
+        assertThatThrownBy(() -> new TopicRules(null, turns, subscribed::put)
                         .add(POWER, LOW.lasting(SECOND), TopicRules.Use.STATE, state -> {}))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("plug/power");

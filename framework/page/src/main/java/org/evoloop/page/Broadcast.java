@@ -9,6 +9,7 @@ import org.evoloop.converter.ConverterStatus;
 import org.evoloop.converter.Evolution;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.converter.Trouble;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.function.Reading;
@@ -38,16 +39,19 @@ final class Broadcast {
      *
      * @param number the number of the update, for the next call
      * @param status see {@link StatusJson}
-     * @param readings the readings of device and function with units, and the timers, for people
+     * @param readings the readings of device and function with units, and what is wrong, for people
+     * @param outlook see {@link OutlookJson}
      * @param last the number of the last event that ended
      * @param events the events that are new to the viewer, oldest first, at most {@value #RECENT}
      */
-    record Update(long number, JsonObject status, JsonObject readings, long last, List<Ended> events) {
+    record Update(
+            long number, JsonObject status, JsonObject readings, JsonObject outlook, long last, List<Ended> events) {
         /** The update as JSON for the page. */
         String json() {
             return new JsonObject()
                     .put("status", status)
                     .put("readings", readings)
+                    .put("outlook", outlook)
                     .put("last", last)
                     .put("events", events.stream().map(Ended::json).toList())
                     .toString();
@@ -58,6 +62,7 @@ final class Broadcast {
                     number,
                     status,
                     readings,
+                    outlook,
                     last,
                     events.stream().filter(event -> event.number > seenEvent).toList());
         }
@@ -91,7 +96,7 @@ final class Broadcast {
     private long last;
 
     /** The newest update, with all recent events. */
-    private Update newest = new Update(0, new JsonObject(), new JsonObject(), 0, List.of());
+    private Update newest = new Update(0, new JsonObject(), new JsonObject(), new JsonObject(), 0, List.of());
 
     private long newestNanos;
 
@@ -193,7 +198,13 @@ final class Broadcast {
     /** Makes an update, once for all viewers. */
     private synchronized void renew() {
         ConverterStatus status = converter.status();
-        newest = new Update(newest.number() + 1, StatusJson.of(status), readings(status), last, List.copyOf(recent));
+        newest = new Update(
+                newest.number() + 1,
+                StatusJson.of(status),
+                readings(status),
+                OutlookJson.of(converter.outlook()),
+                last,
+                List.copyOf(recent));
         newestNanos = clock.nanoTime();
         news = false;
         notifyAll();
@@ -202,16 +213,33 @@ final class Broadcast {
     private static JsonObject readings(ConverterStatus status) {
         ConverterStatus.LinkStatus link = status.link();
         return new JsonObject()
-                .putTexts("device", link == null ? List.of() : texts(link.readings()))
-                .putTexts("function", texts(status.function().readings()))
+                .put(
+                        "device",
+                        link == null
+                                ? List.of()
+                                : link.readings().stream()
+                                        .map(Broadcast::reading)
+                                        .toList())
                 .putTexts(
-                        "timers",
-                        status.timers().stream()
-                                .map(ConverterStatus.RunningTimer::describe)
-                                .toList());
+                        "function",
+                        status.function().readings().stream()
+                                .map(Reading::toString)
+                                .toList())
+                .put(
+                        "troubles",
+                        status.troubles().stream().map(Broadcast::trouble).toList());
     }
 
-    private static List<String> texts(List<Reading> readings) {
-        return readings.stream().map(Reading::toString).toList();
+    /** A reading as a label and its value. */
+    private static JsonObject reading(Reading reading) {
+        String text = reading.toString();
+        String value = reading.value() instanceof Boolean holds
+                ? holds ? "yes" : "no"
+                : text.substring(reading.words().length()).strip();
+        return new JsonObject().put("name", reading.words()).put("value", value);
+    }
+
+    private static JsonObject trouble(Trouble trouble) {
+        return new JsonObject().put("part", trouble.part()).put("words", trouble.words());
     }
 }

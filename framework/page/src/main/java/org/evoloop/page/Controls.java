@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -13,6 +14,7 @@ import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
 import org.evoloop.console.OfferedModels;
 import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.loop.Component;
 import org.evoloop.payload.JsonObject;
 
 /**
@@ -37,7 +39,7 @@ final class Controls {
     }
 
     /**
-     * {@code commands}: {@code name}, {@code help}, {@code choices}; {@code spares}; {@code evolves}, and if so, the
+     * {@code commands}: {@code name}, {@code help}, {@code choices}; {@code spares}, by role; {@code evolves}, and if so, the
      * offered {@code models}.
      */
     JsonObject offered() {
@@ -50,9 +52,18 @@ final class Controls {
         }
         return new JsonObject()
                 .put("commands", commands)
-                .putTexts("spares", converter.spares())
+                .put("spares", spares())
                 .put("evolves", console.offeredModels().isPresent())
                 .putTexts("models", models());
+    }
+
+    /** The names of the spares for each role. */
+    private JsonObject spares() {
+        JsonObject byRole = new JsonObject();
+        for (Component.Role role : Component.Role.values()) {
+            byRole.putTexts(role.name().toLowerCase(Locale.ROOT), converter.spares(role));
+        }
+        return byRole;
     }
 
     private List<String> models() {

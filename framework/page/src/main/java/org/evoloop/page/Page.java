@@ -12,6 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.Semaphore;
+import java.util.function.Predicate;
 import org.evoloop.console.Console;
 import org.evoloop.console.ShadowJson;
 import org.evoloop.converter.HistoryEntry;
@@ -19,6 +20,9 @@ import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.page.drawing.MachineDrawing;
 import org.evoloop.payload.JsonObject;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
 import org.jspecify.annotations.Nullable;
@@ -109,8 +113,12 @@ public final class Page implements AutoCloseable {
 
     private void serve(PageServer to) {
         file(to, "/", "index.html", "text/html; charset=utf-8");
-        file(to, "/page.js", "page.js", "text/javascript; charset=utf-8");
-        file(to, "/page.css", "page.css", "text/css; charset=utf-8");
+        for (String script : List.of("page", "dom", "drawing", "now", "choices", "models", "events", "why", "rest")) {
+            file(to, "/" + script + ".js", script + ".js", "text/javascript; charset=utf-8");
+        }
+        for (String sheet : List.of("style", "page")) {
+            file(to, "/" + sheet + ".css", sheet + ".css", "text/css; charset=utf-8");
+        }
         file(to, "/icon.svg", "icon.svg", "image/svg+xml");
         Broadcast broadcast = new Broadcast(converter, clock);
         to.onStream("/events", exchange -> new Stream(broadcast, to.threads(), clock).serve(exchange));
@@ -147,8 +155,8 @@ public final class Page implements AutoCloseable {
     private JsonObject describe(ModelPair models) {
         return new JsonObject()
                 .put("name", converter.status().name())
-                .put("original", MachineDrawing.of(models.original(), state -> false))
-                .put("new", MachineDrawing.of(models.evolved(), models::isNew))
+                .put("original", machine(models.original(), state -> false))
+                .put("new", machine(models.evolved(), models::isNew))
                 .put(
                         "pictures",
                         pictures.stream()
@@ -156,6 +164,26 @@ public final class Page implements AutoCloseable {
                                         .put("name", picture.name())
                                         .put("description", picture.description())
                                         .put("private", picture.isPrivate()))
+                                .toList());
+    }
+
+    private static JsonObject machine(StateMachine machine, Predicate<State> added) {
+        return new JsonObject()
+                .put("name", machine.name())
+                .put("all", MachineDrawing.of(machine, added))
+                .put("overview", MachineDrawing.overview(machine, added))
+                .putTexts(
+                        "triggers", machine.triggers().stream().map(Event::name).toList())
+                .put(
+                        "states",
+                        machine.states().stream()
+                                .map(state -> new JsonObject()
+                                        .put("name", state.name())
+                                        .put(
+                                                "drawn",
+                                                machine.withoutMemory(state).name())
+                                        .put("outer", MachineDrawing.outer(machine, state))
+                                        .put("added", added.test(state)))
                                 .toList());
     }
 

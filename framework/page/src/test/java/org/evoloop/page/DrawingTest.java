@@ -4,13 +4,18 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
 import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.evoloop.PaperModels;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.page.drawing.MachineDrawing;
+import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.StateMachineBuilder;
 import org.evoloop.statemachine.Transition;
 import org.junit.jupiter.api.Test;
 import org.w3c.dom.Document;
@@ -51,9 +56,9 @@ class DrawingTest {
             assertThat(with(drawn, "g", "data-state")).isEqualTo(states);
             Set<String> transitions = new HashSet<>();
             for (Transition each : machine.transitions()) {
-                transitions.add(each.source() + "|" + each.event() + "|" + each.target() + "|");
+                transitions.add(each.event() + "|" + each.source() + "|" + each.target() + "|");
             }
-            assertThat(with(drawn, "text", "data-source", "data-event", "data-target"))
+            assertThat(with(drawn, "g", "data-event", "data-source", "data-target"))
                     .isEqualTo(transitions);
         }
     }
@@ -71,6 +76,85 @@ class DrawingTest {
                 .containsOnlyOnce("<title>Gap, the device in StopUp; may send light</title></g>");
     }
 
+    private static StateMachine airConditioner() {
+        StateMachineBuilder builder = StateMachine.named("ac");
+        for (String mode : List.of("Cool", "Dry", "Fan")) {
+            builder.drawn(new State(mode), new State(mode), List.of(), List.of("Modes." + mode), false);
+            String boost = "Boost [history " + mode + "]";
+            builder.drawn(new State(boost), new State("Boost"), List.of(), List.of("Boost"), false);
+        }
+        builder.initial("Off").transition("Off", "power", "Cool");
+        builder.transition("Cool", "mode", "Dry")
+                .transition("Dry", "mode", "Fan")
+                .transition("Fan", "mode", "Cool");
+        for (String mode : List.of("Cool", "Dry", "Fan")) {
+            String boost = "Boost [history " + mode + "]";
+            builder.transition(mode, "power", "Off")
+                    .transition(mode, "long", boost)
+                    .transition(boost, "long", mode)
+                    .transition(boost, "power", "Off");
+        }
+        return builder.build();
+    }
+
+    @Test
+    void aCompositeStateIsAFrameAroundItsStatesAndNoOthers() throws Exception {
+        Document drawn = drawn(airConditioner());
+        assertThat(with(drawn, "g", "data-composite")).containsExactly("Modes|");
+        Element frame = null;
+        Map<String, Element> boxes = new HashMap<>();
+        NodeList all = drawn.getElementsByTagName("rect");
+        for (int i = 0; i < all.getLength(); i++) {
+            Element box = (Element) all.item(i);
+            String state = ((Element) box.getParentNode()).getAttribute("data-state");
+            frame = state.isEmpty() ? box : frame;
+            boxes.put(state, box);
+        }
+        for (String inside : List.of("Cool", "Dry", "Fan")) {
+            assertThat(isIn(frame, boxes.get(inside))).as(inside).isTrue();
+        }
+        for (String outside : List.of("Off", "Boost")) {
+            assertThat(overlap(frame, boxes.get(outside))).as(outside).isFalse();
+        }
+    }
+
+    @Test
+    void statesThatDifferInWhatIsRememberedAreOneAsDrawn() throws Exception {
+        Document drawn = drawn(airConditioner());
+        assertThat(with(drawn, "g", "data-state")).containsExactlyInAnyOrder("Off|", "Cool|", "Dry|", "Fan|", "Boost|");
+        assertThat(with(drawn, "g", "data-source", "data-target", "data-event"))
+                .contains("Cool|Boost|long|", "Boost|Fan|long|", "Boost|Off|power|");
+    }
+
+    @Test
+    void inTheOverviewACompositeStateIsOneBox() throws Exception {
+        String svg = MachineDrawing.overview(airConditioner(), state -> false);
+        Document drawn = DocumentBuilderFactory.newInstance()
+                .newDocumentBuilder()
+                .parse(new ByteArrayInputStream(svg.getBytes(StandardCharsets.UTF_8)));
+        assertThat(with(drawn, "g", "data-state")).containsExactlyInAnyOrder("Off|", "Modes|", "Boost|");
+        assertThat(with(drawn, "g", "data-source", "data-target", "data-event"))
+                .contains("Modes|Boost|long|", "Modes|Off|power|")
+                .doesNotContain("Modes|Modes|mode|");
+        assertThat(MachineDrawing.overview(PaperModels.cleaningRobot().evolved(), state -> false))
+                .as("it has none")
+                .isEmpty();
+    }
+
+    private static boolean isIn(Element frame, Element box) {
+        return at(frame, "x") <= at(box, "x")
+                && at(frame, "y") <= at(box, "y")
+                && at(box, "x") + at(box, "width") <= at(frame, "x") + at(frame, "width")
+                && at(box, "y") + at(box, "height") <= at(frame, "y") + at(frame, "height");
+    }
+
+    private static boolean overlap(Element one, Element other) {
+        return at(one, "x") < at(other, "x") + at(other, "width")
+                && at(other, "x") < at(one, "x") + at(one, "width")
+                && at(one, "y") < at(other, "y") + at(other, "height")
+                && at(other, "y") < at(one, "y") + at(one, "height");
+    }
+
     @Test
     void noStateLiesOnAnother() throws Exception {
         Document drawn = drawn(PaperModels.cleaningRobot().evolved());
@@ -79,11 +163,7 @@ class DrawingTest {
             for (int j = i + 1; j < boxes.getLength(); j++) {
                 Element one = (Element) boxes.item(i);
                 Element other = (Element) boxes.item(j);
-                boolean apart = at(one, "x") + at(one, "width") < at(other, "x")
-                        || at(other, "x") + at(other, "width") < at(one, "x")
-                        || at(one, "y") + at(one, "height") < at(other, "y")
-                        || at(other, "y") + at(other, "height") < at(one, "y");
-                assertThat(apart).isTrue();
+                assertThat(overlap(one, other)).isFalse();
             }
         }
     }

@@ -61,7 +61,7 @@ class GateTest {
                 .contains("\"status\":0");
         assertThat(shown.converter.status().loop()).isEqualTo(LoopState.RUNNING);
         assertThat(ask("GET", "/controls", "", "Host: " + own(), cookie))
-                .contains("\"name\":\"press\"", "\"choices\":[\"Clean\",\"Spot\"]", "\"spares\":[\"Robot2\"]")
+                .contains("\"name\":\"press\"", "\"choices\":[\"Clean\",\"Spot\"]", "\"execute\":[\"Robot2\"]")
                 .doesNotContain("is no button", "endSpot");
     }
 

@@ -24,7 +24,7 @@ class LitTimeTest {
     private static final String OBSERVER = """
             window.lit = [];
             new MutationObserver(() => {
-              const state = document.querySelector('#new .state.lit')?.dataset.state;
+              const state = document.querySelector('#new .state.now')?.dataset.state;
               if (state === window.lit.at(-1)?.state) return;
               window.lit.push({ state, at: performance.timeOrigin + performance.now() });
               window.heard?.();
@@ -48,7 +48,7 @@ class LitTimeTest {
                 browser.call("Target.createTarget", Map.of("url", shown.address() + "/", "background", true));
             }
             browser.open(shown.address() + "/");
-            browser.await("document.querySelector('#new .state.lit').dataset.state === 'On'");
+            browser.await("document.querySelector('#new .state.now').dataset.state === 'On'");
             browser.evaluate(OBSERVER);
 
             double[] millis = new double[EVENTS];

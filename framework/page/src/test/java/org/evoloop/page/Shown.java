@@ -6,13 +6,15 @@ import java.io.InputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import org.evoloop.Alarm;
 import org.evoloop.Machines;
 import org.evoloop.PaperModels;
-import org.evoloop.RecordingExecute;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
 import org.evoloop.console.NewModels;
@@ -23,42 +25,57 @@ import org.evoloop.converter.Probation;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.converter.UnknownEffectException;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Step;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.StateMachine;
+import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
 
 /** The converter of the paper's cleaning robot, without a robot, and its page. */
 final class Shown implements AutoCloseable {
-    private final SystemClock clock = new SystemClock();
+    private final Clock clock;
     final Panel panel = new Panel();
-    final SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("robot", clock));
+    final SystemEventConverter converter;
     final Console console;
     final Page page;
     final String token;
     final AtomicLong battery = new AtomicLong(93);
+
+    /** Whether the device can be reached, and whether it answers. */
+    final AtomicBoolean reached = new AtomicBoolean(true);
+
+    final AtomicBoolean answers = new AtomicBoolean(true);
 
     Shown() throws IOException {
         this(List.of());
     }
 
     Shown(List<Picture> pictures) throws IOException {
+        this(pictures, new SystemClock());
+    }
+
+    Shown(List<Picture> pictures, Clock clock) throws IOException {
+        this.clock = clock;
+        converter = new SystemEventConverter(LoopConfig.defaults("robot", clock));
         converter.addMonitor(panel);
         converter.addExecute(execute());
-        converter.addSpare("Robot2", Shown::execute);
+        converter.addSpare("Robot2", this::execute);
+        converter.addSpare("Panel2", Panel::new);
         converter.addKnowledge(new Robot(PaperModels.cleaningRobot()));
         converter.addKnowledgeFactory(Robot::new);
         converter.watch((models, at, nanos) -> new Alarm("Who arrives has left", "arriveSpot"));
         converter.addLink(new DeviceLink() {
             @Override
             public boolean isUp() {
-                return true;
+                return reached.get();
             }
 
             @Override
-            public Optional<java.time.Instant> downSince() {
-                return Optional.empty();
+            public Optional<Instant> downSince() {
+                return reached.get() ? Optional.empty() : Optional.of(Instant.EPOCH);
             }
 
             @Override
@@ -153,8 +170,20 @@ final class Shown implements AutoCloseable {
         }
     }
 
-    private static EventExecute execute() {
-        return new RecordingExecute("Robot", "Clean", "Spot");
+    private EventExecute execute() {
+        return new EventExecute("Robot") {
+            @Override
+            protected Set<String> sendableEvents() {
+                return Set.of("Clean", "Spot");
+            }
+
+            @Override
+            protected void send(Step step) throws UnknownEffectException {
+                if (!answers.get()) {
+                    throw new UnknownEffectException("no answer to " + step.trigger() + " came");
+                }
+            }
+        };
     }
 
     String address() {

@@ -17,6 +17,7 @@ import org.evoloop.converter.DeviceLink;
 import org.evoloop.converter.EventMonitor;
 import org.evoloop.converter.Evolution;
 import org.evoloop.converter.HistoryEntry;
+import org.evoloop.converter.Outlook;
 import org.evoloop.converter.Shadow;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
@@ -282,6 +283,11 @@ final class Converter implements ConverterDelegate {
     }
 
     @Override
+    public Set<String> spares(Component.Role role) {
+        return spares.of(role);
+    }
+
+    @Override
     public Evolution.Result evolve(Evolution evolution) {
         return evolver.evolve(built(), requireNonNull(evolution, "the evolution is null"));
     }
@@ -345,6 +351,11 @@ final class Converter implements ConverterDelegate {
     @Override
     public Set<Event> controllerEvents() {
         return ControllerEvents.of(knowledge(), sendableEvents());
+    }
+
+    @Override
+    public Outlook outlook() {
+        return built().outlook();
     }
 
     @Override

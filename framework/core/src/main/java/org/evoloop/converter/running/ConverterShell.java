@@ -21,6 +21,7 @@ import org.evoloop.converter.EventMonitor;
 import org.evoloop.converter.EventPlan;
 import org.evoloop.converter.Evolution;
 import org.evoloop.converter.EvolutionException;
+import org.evoloop.converter.Outlook;
 import org.evoloop.converter.Probation;
 import org.evoloop.converter.ShadowReport;
 import org.evoloop.converter.StateKnowledge;
@@ -135,6 +136,11 @@ public final class ConverterShell implements LoopListener<Occurrence> {
     /** The events that its components can send. */
     public Set<Event> sendable() {
         return senders.sendable();
+    }
+
+    /** What can happen next. */
+    public Outlook outlook() {
+        return driver.outlooks(knowledge(), sendable()).compute();
     }
 
     /** Its present knowledge. */

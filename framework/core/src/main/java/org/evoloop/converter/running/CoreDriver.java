@@ -323,6 +323,11 @@ public final class CoreDriver implements DecisionHost {
         return core.doubt();
     }
 
+    /** What an outlook begins with; the rest is computed outside the lock, for which events would have to wait. */
+    synchronized Outlooks outlooks(StateKnowledge knowledge, Set<Event> sendable) {
+        return new Outlooks(rules.table(), core.at(), core.doubtfulStep(), knowledge, sendable);
+    }
+
     /** When the timers that run are due. */
     synchronized Map<Event, Long> deadlines() {
         return core.deadlines();

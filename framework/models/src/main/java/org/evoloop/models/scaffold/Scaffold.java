@@ -187,6 +187,7 @@ public final class Scaffold {
             javaFile(folders.sources() + name, "device/Function");
             function(registrations, state, "new " + name + "(connections)");
         });
+        written.functionsElsewhere().forEach((state, field) -> function(registrations, state, "connections." + field));
         written.withoutFunction().forEach(state -> function(registrations, state, "NewFunction.none()"));
         values.put("registrations", registrations + written.registrations());
         values.putAll(written.connections());

@@ -14,6 +14,7 @@ abstract class WrittenConnection {
     private final String field;
     private final StringBuilder rules = new StringBuilder();
     private final Map<String, String> sent = new LinkedHashMap<>();
+    private @Nullable WrittenConnection confirming;
 
     WrittenConnection(String name, String field) {
         this.name = name;
@@ -28,12 +29,17 @@ abstract class WrittenConnection {
             return new WrittenHttp(name.value(), field, section);
         } else if (section.has("lines") || section.has("program")) {
             return new WrittenLines(name.value(), field, section);
+        } else if (section.has("webhooks")) {
+            return new WrittenWebhooks(name.value(), field, section);
+        } else if (section.has("gpio")) {
+            return new WrittenPins(name.value(), field, section);
         }
         section.problems()
                 .at(
                         name,
                         "connection " + name + " is of a kind that --from does not turn into Java, which are lines,"
-                                + " program, mqtt and http; keep this file, or leave the connection out and add it in Java");
+                                + " program, mqtt, http, webhooks and gpio; keep this file, or leave the connection out"
+                                + " and add it in Java");
         return null;
     }
 
@@ -54,6 +60,34 @@ abstract class WrittenConnection {
     /** The calls of {@link #rule}; each on a line. */
     final String rules() {
         return rules.toString();
+    }
+
+    /** What is sent over this connection is confirmed by what another one reports, or by this one. */
+    final void confirmedBy(WrittenConnection reporting) {
+        confirming = reporting;
+    }
+
+    /** Whether it confirms what is sent over all connections. */
+    final boolean confirmsAll() {
+        return confirming == this;
+    }
+
+    /** Whether a section of the device is for this connection: it names it with {@code key}, or none. */
+    final boolean isFor(Section section, String key) {
+        return section.text(key).map(named -> named.value().equals(name)).orElse(true);
+    }
+
+    /** The variable of the component that sends. */
+    final String executeVariable() {
+        return field + "Execute";
+    }
+
+    /** Adds a component that sends. */
+    final String addition(String execute) {
+        WrittenConnection other = confirming;
+        return other == null || other == this
+                ? "        converter.addExecute(" + execute + ");\n"
+                : "        " + other.executeVariable() + ".through(" + execute + ");\n";
     }
 
     final void sends(String event, String expression) {
@@ -91,6 +125,13 @@ abstract class WrittenConnection {
 
     /** What the section {@code device} says about all that is sent. */
     abstract void device(Section device);
+
+    /**
+     * The way to a program that runs the function of a state, as an expression of the constructor.
+     *
+     * @param function the section of the function
+     */
+    abstract String functions(String converter, String state, Section function);
 
     /** What an action does, as an expression of the class {@code Connections} named {@code connections}. */
     abstract String outside(Section action, String values);

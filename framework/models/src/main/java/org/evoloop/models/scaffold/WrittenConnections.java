@@ -2,6 +2,7 @@ package org.evoloop.models.scaffold;
 
 import static org.evoloop.models.scaffold.JavaText.literal;
 
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -12,9 +13,11 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.evoloop.device.DeviceFile;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
+import org.jspecify.annotations.Nullable;
 
 /** Writes the connections of a device file in Java. The file has been read before, and has no mistakes. */
 final class WrittenConnections {
@@ -26,10 +29,12 @@ final class WrittenConnections {
     private final Set<String> artifacts = new LinkedHashSet<>();
     private final Set<String> helpers = new TreeSet<>();
     private final Map<String, String> commands = new LinkedHashMap<>();
+    private final Map<String, String> functions = new LinkedHashMap<>();
+    private final JavaNames names = new JavaNames();
+    private @Nullable WrittenConnection confirming;
 
     /** @param file of which a connection that has no counterpart here is noted as a mistake */
     WrittenConnections(Section file) {
-        JavaNames names = new JavaNames();
         List.of("clock", "links", "openings", "closings", "connected", "converter")
                 .forEach(names::reserve);
         file.named("connections").forEach((name, section) -> {
@@ -59,6 +64,13 @@ final class WrittenConnections {
         DeviceFile.rules(device, "state").forEach(rule -> named(rule, "from").state(rule));
         DeviceFile.rules(device, "does").forEach(rule -> named(rule, "from").events(rule, "device"));
         device.named("readings").forEach((name, rule) -> named(rule, "from").reading(name.value(), rule));
+        confirming = device.section("confirmed")
+                .flatMap(confirmed -> confirmed.text("from"))
+                .map(from -> byName.get(from.value()))
+                .orElse(null);
+        if (confirming != null) {
+            byName.values().forEach(each -> each.confirmedBy(confirming));
+        }
         byName.values().forEach(each -> each.device(device));
     }
 
@@ -93,6 +105,14 @@ final class WrittenConnections {
                 + duration(section.duration("within").orElse(LIMIT_OF_PROGRAMS)) + ", clock)";
     }
 
+    /** The function of {@code state} that another program runs, as the name of its field. */
+    String function(String converter, String state, Section function) {
+        String field = names.free(JavaNames.small(JavaNames.camel(state, "State")) + "Function");
+        functions.put(field, named(function, "elsewhere").functions(converter, state, function));
+        artifacts.add("evoloop-payload");
+        return field;
+    }
+
     /** An action that {@code section} describes, as a statement. */
     String outside(Section section, String told, String values) {
         String what;
@@ -124,19 +144,43 @@ final class WrittenConnections {
     /** What the class {@code Connections} takes; asked for last, since an action may add to it. */
     Map<String, String> values() {
         Map<String, String> values = new LinkedHashMap<>();
-        values.put("fields", join(WrittenConnection::field));
-        values.put("constructor", join(WrittenConnection::creation));
-        String adding = join(WrittenConnection::adding);
+        values.put("fields", join(WrittenConnection::field) + functions("    final RemoteFunction %s;\n"));
+        values.put(
+                "constructor", join(WrittenConnection::creation) + functions("        %s = new RemoteFunction(%s);\n"));
+        // The one that confirms is there before what it confirms.
+        String adding = Stream.concat(Stream.ofNullable(confirming), byName.values().stream())
+                .distinct()
+                .map(WrittenConnection::adding)
+                .collect(Collectors.joining());
         if (!commands.isEmpty()) {
-            adding += "        converter.addExecute(new RunExecute(\"RunExecute\", " + map(commands) + "));\n";
+            String run = "new RunExecute(\"RunExecute\", " + map(commands) + ")";
+            adding += confirming == null
+                    ? "        converter.addExecute(" + run + ");\n"
+                    : "        " + confirming.executeVariable() + ".through(" + run + ");\n";
         }
         values.put("adding", adding);
         values.put("methods", helpers.stream().map(Template::text).collect(Collectors.joining()));
         return values;
     }
 
+    private String functions(String line) {
+        return functions.entrySet().stream()
+                .map(each -> String.format(line, each.getKey(), each.getValue()))
+                .collect(Collectors.joining());
+    }
+
     private String join(Function<WrittenConnection, String> part) {
         return byName.values().stream().map(part).collect(Collectors.joining());
+    }
+
+    /** What a file holds that {@code section} names; it is read where it is. */
+    static String secret(Section section, Node.Text file) {
+        Path named = section.problems()
+                .file()
+                .toAbsolutePath()
+                .resolveSibling(file.value())
+                .normalize();
+        return "Secret.read(Path.of(" + literal(named.toString()) + "))";
     }
 
     /** {@code Map.ofEntries(...)} in the order given. */

@@ -57,14 +57,6 @@ public final class WrittenFile {
                         option.line(),
                         "'" + option.name() + "' is an option, which a Java project takes on its command line, or from"
                                 + " --config; remove it here"));
-        root.named("functions").forEach((state, function) -> {
-            if (function.has("elsewhere")) {
-                problems.at(
-                        state,
-                        "the function of '" + state + "' runs elsewhere, which --from does not turn into Java; remove"
-                                + " it, and register a RemoteFunction in Java");
-            }
-        });
         WrittenFile written = new WrittenFile(file, root);
         problems.throwIfAny();
         return written;
@@ -88,10 +80,25 @@ public final class WrittenFile {
         return connections.values();
     }
 
-    /** The states with functions, with what the generated class of each contains. */
+    /** The states with functions of the file, with what the generated class of each contains. */
     Map<String, Map<String, String>> functions() {
         Map<String, Map<String, String>> functions = new LinkedHashMap<>();
-        root.named("functions").forEach((state, function) -> functions.put(state.value(), function(function)));
+        root.named("functions").forEach((state, function) -> {
+            if (!function.has("elsewhere")) {
+                functions.put(state.value(), function(function));
+            }
+        });
+        return functions;
+    }
+
+    /** The states whose functions run in other programs, with the field that is each function. */
+    Map<String, String> functionsElsewhere() {
+        Map<String, String> functions = new LinkedHashMap<>();
+        root.named("functions").forEach((state, function) -> {
+            if (function.has("elsewhere")) {
+                functions.put(state.value(), connections.function(file.name(), state.value(), function));
+            }
+        });
         return functions;
     }
 
@@ -177,6 +184,11 @@ public final class WrittenFile {
 
     /** The events that a function sends to the device. */
     private static Set<String> sends(Section function) {
+        if (function.has("elsewhere")) {
+            return function.texts("sends").stream()
+                    .map(Node.Text::value)
+                    .collect(Collectors.toCollection(LinkedHashSet::new));
+        }
         List<Section> actions = new ArrayList<>(List.of(function));
         STEPS.forEach(key -> actions.addAll(function.listed(key)));
         actions.addAll(function.listed("at"));
@@ -253,6 +265,10 @@ public final class WrittenFile {
         StringBuilder tests = new StringBuilder();
         root.section("scenarios")
                 .ifPresent(all -> all.keys().forEach(name -> {
+                    if (all.listed(name.value()).stream().anyMatch(step -> step.has("command"))) {
+                        // The project does not have the entities of Home Assistant.
+                        return;
+                    }
                     String method = names.free(JavaNames.small(JavaNames.camel(name.value(), "Scenario")));
                     tests.append("\n    @Test\n    @DisplayName(").append(literal(name.value()));
                     tests.append(")\n    void ").append(method).append("() {\n");

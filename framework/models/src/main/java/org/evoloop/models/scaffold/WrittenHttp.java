@@ -28,13 +28,18 @@ final class WrittenHttp extends WrittenConnection {
                 .append('(')
                 .append(literal(base + words[1]))
                 .append(words[0].equals("GET") ? ")" : ", " + literal(body) + ")");
-        section.pairs("headers")
-                .forEach((name, value) -> call.append(".header(")
-                        .append(literal(name.value()))
-                        .append(", ")
-                        .append(literal(value.value()))
-                        .append(')'));
+        section.pairs("headers").forEach((name, value) -> header(call, name, literal(value.value())));
+        section.pairs("header-files")
+                .forEach((name, file) -> header(call, name, WrittenConnections.secret(section, file)));
         return call.toString();
+    }
+
+    private static void header(StringBuilder call, Node.Text name, String value) {
+        call.append(".header(")
+                .append(literal(name.value()))
+                .append(", ")
+                .append(value)
+                .append(')');
     }
 
     private String call(Section how) {
@@ -72,7 +77,7 @@ final class WrittenHttp extends WrittenConnection {
     @Override
     String adding() {
         StringBuilder java = new StringBuilder();
-        String execute = variable() + "Execute";
+        String execute = executeVariable();
         String within = WrittenConnections.within(section);
         sent().ifPresent(calls -> java.append("        HttpExecute ")
                 .append(execute)
@@ -84,9 +89,8 @@ final class WrittenHttp extends WrittenConnection {
                 .append(within)
                 .append(")")
                 .append(readyAfter)
-                .append(";\n        converter.addExecute(")
-                .append(execute)
-                .append(");\n"));
+                .append(";\n")
+                .append(addition(execute)));
         String question =
                 section.text("poll").map(path -> call("GET " + path, "")).orElse("");
         if (question.isEmpty()) {
@@ -157,6 +161,11 @@ final class WrittenHttp extends WrittenConnection {
     void device(Section device) {
         device.duration("ready-after")
                 .ifPresent(pause -> readyAfter = ".readyAfter(" + WrittenConnections.duration(pause) + ", clock)");
+    }
+
+    @Override
+    String functions(String converter, String state, Section function) {
+        throw new IllegalStateException("a device that answers requests runs no functions");
     }
 
     @Override

@@ -79,8 +79,8 @@ final class WrittenLines extends WrittenConnection {
 
     @Override
     String adding() {
-        String execute = sent().map(lines -> "        converter.addExecute(new LineExecute("
-                        + literal(name() + "Execute") + ", " + variable() + ", " + lines + ")" + duties + ");\n")
+        String execute = sent().map(lines -> addition("new LineExecute(" + literal(name() + "Execute") + ", "
+                        + variable() + ", " + lines + ")" + duties))
                 .orElse("");
         return "        converter.addMonitor(new LineMonitor(" + literal(name()) + ", " + variable() + ")\n"
                 + rules().stripTrailing() + ");\n" + execute + "        links.add(" + variable() + ");\n"
@@ -128,7 +128,7 @@ final class WrittenLines extends WrittenConnection {
                         + WrittenConnections.within(answer) + ")"));
         // The question of another connection has no line.
         device.section("ask")
-                .filter(ask -> ask.has("line"))
+                .filter(ask -> ask.has("line") && isFor(ask, "to"))
                 .ifPresent(ask ->
                         duty(".asking(" + literal(ask.need("line").orElseThrow().value()) + ", "
                                 + WrittenConnections.map(states) + ", " + WrittenConnections.within(ask) + ")"));
@@ -136,6 +136,11 @@ final class WrittenLines extends WrittenConnection {
 
     private void duty(String call) {
         duties.append("\n                ").append(call);
+    }
+
+    @Override
+    String functions(String converter, String state, Section function) {
+        return variable() + ".functions()";
     }
 
     @Override

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
 
@@ -51,6 +52,10 @@ final class WrittenMqtt extends WrittenConnection {
         return literal(how.need("payload").orElseThrow().value());
     }
 
+    private String device() {
+        return variable() + "Device";
+    }
+
     @Override
     String shortSend() {
         return "payload";
@@ -63,7 +68,7 @@ final class WrittenMqtt extends WrittenConnection {
 
     @Override
     String field() {
-        return "    final BrokerConnection " + variable() + ";\n";
+        return "    final BrokerConnection " + variable() + ";\n    private final MqttDevice " + device() + ";\n";
     }
 
     @Override
@@ -71,26 +76,17 @@ final class WrittenMqtt extends WrittenConnection {
         String address = "BrokerAddress.parse("
                 + literal(section.need("mqtt").orElseThrow().value()) + ")";
         String password = section.text("password-file")
-                .map(file -> section.problems()
-                        .file()
-                        .toAbsolutePath()
-                        .resolveSibling(file.value())
-                        .normalize())
-                .map(file -> ".withPassword(Secret.read(Path.of(" + literal(file.toString()) + ")))")
+                .map(file -> ".withPassword(" + WrittenConnections.secret(section, file) + ")")
                 .orElse("");
         return "        " + variable() + " = new BrokerConnection(\n                " + address + password + ", "
-                + literal("evoloop-" + name() + "-") + " + ProcessHandle.current().pid());\n";
+                + literal("evoloop-" + name() + "-") + " + ProcessHandle.current().pid());\n"
+                + "        " + device() + " = new MqttDevice(" + variable() + ", clock)" + settings + ";\n";
     }
 
     @Override
     String adding() {
         StringBuilder java = new StringBuilder();
-        String device = variable() + "Device";
-        java.append("        MqttDevice ")
-                .append(device)
-                .append(" = new MqttDevice(")
-                .append(variable());
-        java.append(", clock)").append(settings).append(";\n");
+        String device = device();
         stateMeanings.forEach((name, meanings) -> java.append("        Meanings ")
                 .append(name)
                 .append(" = ")
@@ -99,15 +95,14 @@ final class WrittenMqtt extends WrittenConnection {
         java.append("        converter.addMonitor(new MqttMonitor(").append(literal(name()));
         java.append(", ").append(device).append(")\n").append(rules());
         java.append(infers ? "                .inferring(converter));\n" : "        );\n");
-        sent().ifPresent(messages -> java.append("        converter.addExecute(new MqttExecute(")
-                .append(literal(name() + "Execute"))
-                .append(", ")
-                .append(device)
-                .append(", ")
-                .append(messages)
-                .append(")")
-                .append(duties)
-                .append(");\n"));
+        sent().or(() -> confirmsAll() ? Optional.of("Map.of()") : Optional.empty())
+                .map(messages -> "new MqttExecute(" + literal(name() + "Execute") + ", " + device + ", " + messages
+                        + ")" + duties)
+                .map(execute -> confirmsAll()
+                        ? "        MqttExecute " + executeVariable() + " = " + execute + ";\n"
+                                + addition(executeVariable())
+                        : addition(execute))
+                .ifPresent(java::append);
         java.append("        links.add(").append(device).append(");\n");
         java.append("        openings.add(").append(variable()).append("::open);\n");
         java.append("        closings.add(").append(variable()).append("::close);\n");
@@ -143,11 +138,12 @@ final class WrittenMqtt extends WrittenConnection {
     @Override
     void device(Section device) {
         device.section("confirmed")
+                .filter(confirmed -> isFor(confirmed, "from"))
                 .ifPresent(confirmed -> states.forEach(state -> duty(".confirmedBy(" + state.topic() + ", "
                         + state.variable() + ", " + WrittenConnections.within(confirmed) + ")")));
         // The question of another connection has no payload.
         device.section("ask")
-                .filter(ask -> ask.has("payload"))
+                .filter(ask -> ask.has("payload") && isFor(ask, "to"))
                 .ifPresent(ask -> states.forEach(state -> duty(".asking(" + message(ask, payload(ask)) + ", "
                         + state.topic() + ", " + state.variable() + ", " + WrittenConnections.within(ask) + ")")));
         device.duration("ready-after")
@@ -156,6 +152,14 @@ final class WrittenMqtt extends WrittenConnection {
 
     private void duty(String call) {
         duties.append("\n                ").append(call);
+    }
+
+    @Override
+    String functions(String converter, String state, Section function) {
+        String topic = function.text("topic")
+                .map(given -> literal(given.value()))
+                .orElse("MqttFunctions.topic(" + literal(converter) + ", " + literal(state) + ")");
+        return "new MqttFunctions(" + device() + ", " + topic + ")";
     }
 
     @Override

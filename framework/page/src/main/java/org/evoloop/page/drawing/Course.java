@@ -8,12 +8,10 @@ import org.evoloop.page.drawing.Graph.Arrow;
 import org.evoloop.page.drawing.Graph.Box;
 
 /**
- * The course of an arrow: smooth, through its boxes, from the edge of one state to the edge of the other, with its
- * head.
+ * The course of an arrow: smooth, through its boxes, from the edge of one state to the edge of the other. Its
+ * head is a marker of the style sheet.
  */
 final class Course {
-    private static final double HEAD = 8;
-
     private record Point(double x, double y) {}
 
     private Course() {}
@@ -29,10 +27,6 @@ final class Course {
             path.append(format(" C%.1f %.1f %.1f %.1f %.1f %.1f", at.x, middle, next.x, middle, next.x, next.y));
             at = next;
         }
-        double back = Math.signum(points.get(points.size() - 2).y - at.y) * HEAD;
-        path.append(format(
-                "M%.1f %.1fL%.1f %.1fL%.1f %.1f",
-                at.x - HEAD * 0.6, at.y + back, at.x, at.y, at.x + HEAD * 0.6, at.y + back));
         return path.toString();
     }
 

@@ -29,6 +29,9 @@ final class Crossings {
                 // Other crossings do not change.
                 List<List<Box>> around = rows.subList(Math.max(0, index - 1), Math.min(rows.size(), index + 2));
                 for (int i = 1; i < row.size(); i++) {
+                    if (row.get(i).band != row.get(i - 1).band) {
+                        continue;
+                    }
                     int before = count(around);
                     Collections.swap(row, i - 1, i);
                     if (count(around) < before) {

@@ -1,7 +1,9 @@
 package org.evoloop.page.drawing;
 
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.evoloop.evolution.ModelPair;
@@ -10,24 +12,34 @@ import org.evoloop.page.drawing.Graph.Box;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
-import org.evoloop.statemachine.Transition;
 
 /**
- * The drawing of a machine, as SVG without colours: a style sheet gives them, by the classes {@code state}, {@code
- * new}, {@code arrow} and {@code label}. Elements are identified, so that a program can highlight them: {@code
- * data-state} on states; {@code data-source} and {@code data-target} on arrows, and also {@code data-event} on labels.
+ * The drawing of a machine, as SVG without colours: a style sheet gives them, by the classes {@code state} with its
+ * {@code box} and {@code name}, {@code transition} with its {@code line}, {@code event} with its {@code label}, and
+ * {@code added}. Elements are identified, so that a program can highlight them: {@code data-state} on states; {@code
+ * data-source} and {@code data-target} on transitions, and also {@code data-event} on events.
+ *
+ * <p>States that differ only in what the machine remembers are one, and a composite state is a frame around its states.
  */
 public final class MachineDrawing {
     /** A larger drawing would be unreadable, and its layout would take long. */
     static final int MOST_TRANSITIONS = 400;
 
     private static final double MARGIN = 16;
+    private static final double PADDING = 12;
+    private static final double TITLE = 24;
 
+    private final StateMachine machine;
+    private final Sketch sketch;
     private final Graph graph;
+    private final Set<State> added = new HashSet<>();
     private final StringBuilder svg = new StringBuilder();
 
-    private MachineDrawing(StateMachine machine) {
-        graph = new Graph(machine);
+    private MachineDrawing(StateMachine machine, Sketch sketch, Predicate<State> isAdded) {
+        this.machine = machine;
+        this.sketch = sketch;
+        machine.states().stream().filter(isAdded).map(machine::withoutMemory).forEach(added::add);
+        graph = new Graph(sketch);
         Rows.arrange(graph);
     }
 
@@ -38,40 +50,82 @@ public final class MachineDrawing {
      * @return empty if it is too large to be drawn
      */
     public static String of(StateMachine machine, Predicate<State> added) {
-        if (machine.transitions().size() > MOST_TRANSITIONS || machine.states().size() > MOST_TRANSITIONS) {
-            return "";
-        }
-        return new MachineDrawing(machine).draw(machine, added);
+        return of(machine, Sketch.of(machine, false), added);
     }
 
-    private String draw(StateMachine machine, Predicate<State> added) {
+    /**
+     * Draws {@code machine} with each composite state as one box.
+     *
+     * @return empty if it has none, or is too large all the same
+     */
+    public static String overview(StateMachine machine, Predicate<State> added) {
+        return Sketch.of(machine, false).hasComposites() ? of(machine, Sketch.of(machine, true), added) : "";
+    }
+
+    /** The outermost composite state in which {@code state} is drawn; empty if there is none. */
+    public static String outer(StateMachine machine, State state) {
+        return Sketch.outer(machine, state);
+    }
+
+    private static String of(StateMachine machine, Sketch sketch, Predicate<State> added) {
+        boolean tooLarge = Math.max(sketch.arrows().size(), sketch.outer().size()) > MOST_TRANSITIONS;
+        return tooLarge ? "" : new MachineDrawing(machine, sketch, added).draw();
+    }
+
+    private String draw() {
         double width = 0;
         double height = 0;
         for (List<Box> row : graph.rows) {
             for (Box box : row) {
-                width = Math.max(width, box.x + box.width / 2 + MARGIN);
-                height = Math.max(height, box.y + box.height / 2 + MARGIN);
+                width = Math.max(width, box.x + box.width / 2 + PADDING + MARGIN);
+                height = Math.max(height, box.y + box.height / 2 + PADDING + MARGIN);
             }
         }
         svg.append(format(
                 "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0 %.0f %.0f\" width=\"%.0f\" height=\"%.0f\">",
                 width, height, width, height));
-        graph.arrows.forEach(this::draw);
-        Box initial = graph.box(machine.initial());
+        for (int band = 0; band < graph.bands.size(); band++) {
+            if (!graph.bands.get(band).isEmpty()) {
+                frame(graph.bands.get(band), band);
+            }
+        }
+        graph.arrows.forEach(this::line);
+        Box initial = graph.box(sketch.initial());
         double top = initial.y - initial.height / 2;
-        svg.append(format("<circle class=\"initial\" cx=\"%.1f\" cy=\"%.1f\" r=\"5\"/>", initial.x, top - 20));
         svg.append(format(
-                "<path class=\"initial\" d=\"M%.1f %.1fV%.1fM%.1f %.1fl5 -7M%.1f %.1fl-5 -7\"/>",
-                initial.x, top - 20, top, initial.x, top, initial.x, top));
-        graph.states.forEach((state, box) -> draw(state, box, added.test(state), machine));
+                "<g class=\"pseudostate\"><circle class=\"solid\" cx=\"%.1f\" cy=\"%.1f\" r=\"5\"/></g>"
+                        + "<g class=\"transition\"><path class=\"line way\" d=\"M%.1f %.1fV%.1f\"/></g>",
+                initial.x, top - 20, initial.x, top - 20, top));
+        graph.states.forEach(this::state);
+        graph.arrows.forEach(this::events);
         return svg.append("</svg>").toString();
     }
 
-    private void draw(State state, Box box, boolean added, StateMachine machine) {
+    /** A composite state, around its states. */
+    private void frame(String name, int band) {
+        double left = Double.MAX_VALUE;
+        double top = Double.MAX_VALUE;
+        double right = 0;
+        double bottom = 0;
+        for (Box box : graph.states.values()) {
+            if (box.band == band) {
+                left = Math.min(left, box.x - box.width / 2 - PADDING);
+                right = Math.max(right, box.x + box.width / 2 + PADDING);
+                top = Math.min(top, box.y - box.height / 2 - PADDING - TITLE);
+                bottom = Math.max(bottom, box.y + box.height / 2 + PADDING);
+            }
+        }
         svg.append(format(
-                "<g class=\"state%s\" data-state=\"%s\"><rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" rx=\"10\"/>"
-                        + "<text x=\"%.1f\" y=\"%.1f\">%s</text>%s</g>",
-                added ? " new" : "",
+                "<g class=\"composite\" data-composite=\"%s\"><rect class=\"box frame\" x=\"%.1f\" y=\"%.1f\" width=\"%.1f\""
+                        + " height=\"%.1f\" rx=\"12\"/><text class=\"title\" x=\"%.1f\" y=\"%.1f\">%s</text></g>",
+                escape(name), left, top, right - left, bottom - top, left + PADDING, top + 18, escape(name)));
+    }
+
+    private void state(State state, Box box) {
+        svg.append(format(
+                "<g class=\"state%s\" data-state=\"%s\"><rect class=\"box\" x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" rx=\"12\"/>"
+                        + "<text class=\"name\" x=\"%.1f\" y=\"%.1f\">%s</text>%s</g>",
+                added.contains(state) ? " added" : "",
                 escape(state.name()),
                 box.x - box.width / 2,
                 box.y - box.height / 2,
@@ -80,11 +134,11 @@ public final class MachineDrawing {
                 box.x,
                 box.y + 5,
                 escape(state.name()),
-                device(state, machine)));
+                device(state)));
     }
 
     /** What a state has to do with the device, which a browser shows when it is pointed at; empty for most. */
-    private static String device(State state, StateMachine machine) {
+    private String device(State state) {
         String device = machine.deviceState(state);
         String where = device == null ? "" : ModelPair.describe(state, device);
         String sent = machine.sends(state).stream().map(Event::name).collect(Collectors.joining(", "));
@@ -93,17 +147,24 @@ public final class MachineDrawing {
         return text.isEmpty() ? "" : "<title>" + escape(text) + "</title>";
     }
 
-    private void draw(Arrow arrow) {
-        String ends = "data-source=\"" + escape(arrow.source().name()) + "\" data-target=\""
+    private String ends(Arrow arrow) {
+        String tone = added.contains(arrow.source()) || added.contains(arrow.target()) ? " added\"" : "\"";
+        return tone + " data-source=\"" + escape(arrow.source().name()) + "\" data-target=\""
                 + escape(arrow.target().name()) + "\"";
-        svg.append("<g class=\"arrow\" ").append(ends).append("><path d=\"");
+    }
+
+    private void line(Arrow arrow) {
+        svg.append("<g class=\"transition").append(ends(arrow)).append("><path class=\"line way\" d=\"");
         svg.append(Course.of(arrow)).append("\"/></g>");
+    }
+
+    private void events(Arrow arrow) {
         Box label = arrow.label();
         double y = label.y - label.height / 2 + Graph.LINE - 2;
-        for (Transition transition : arrow.transitions()) {
+        for (Sketch.Line line : arrow.lines()) {
             svg.append(format(
-                    "<text class=\"label\" %s data-event=\"%s\" x=\"%.1f\" y=\"%.1f\">%s</text>",
-                    ends, escape(transition.event().toString()), label.x, y, escape(Graph.text(transition))));
+                    "<g class=\"event%s data-event=\"%s\"><text class=\"label middle\" x=\"%.1f\" y=\"%.1f\">%s</text></g>",
+                    ends(arrow), escape(line.event()), label.x, y, escape(line.text())));
             y += Graph.LINE;
         }
     }

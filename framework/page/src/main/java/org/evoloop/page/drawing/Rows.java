@@ -13,19 +13,44 @@ final class Rows {
     private static final double GAP = 16;
     private static final double ROW_GAP = 18;
 
-    /** Room for the initial arrow. */
-    private static final double ABOVE = 28;
+    /** Between bands, for the edges of two frames. */
+    private static final double BAND_GAP = 40;
+
+    /** Room for the initial arrow and the name of a frame. */
+    private static final double ABOVE = 56;
 
     private static final int SWEEPS = 12;
 
     private final List<List<Box>> rows;
 
-    private Rows(List<List<Box>> rows) {
-        this.rows = rows;
+    /** The left edge of each band; the last is the right edge of all. */
+    private final double[] edges;
+
+    private Rows(Graph graph) {
+        this.rows = graph.rows;
+        this.edges = new double[graph.bands.size() + 1];
+        for (int band = 0; band < graph.bands.size(); band++) {
+            int each = band;
+            edges[band + 1] = edges[band]
+                    + BAND_GAP
+                    + rows.stream()
+                            .mapToDouble(row -> width(of(row, each)))
+                            .max()
+                            .orElse(0);
+        }
+    }
+
+    private static List<Box> of(List<Box> row, int band) {
+        return row.stream().filter(box -> box.band == band).toList();
+    }
+
+    private static double width(List<Box> boxes) {
+        return boxes.stream().mapToDouble(box -> box.width + GAP).sum();
     }
 
     static void arrange(Graph graph) {
-        Rows rows = new Rows(graph.rows);
+        Rows rows = new Rows(graph);
+        graph.rows.forEach(row -> row.sort(Comparator.comparingInt(box -> box.band)));
         rows.spread();
         List<List<Box>> best = copy(graph.rows);
         for (int sweep = 0; sweep < SWEEPS; sweep++) {
@@ -53,14 +78,16 @@ final class Rows {
         return copies;
     }
 
-    /** Side by side, around 0. */
+    /** Side by side, in the middle of their band. */
     private void spread() {
         for (List<Box> row : rows) {
-            double width = row.stream().mapToDouble(box -> box.width + GAP).sum();
-            double left = -width / 2;
-            for (Box box : row) {
-                box.x = left + box.width / 2;
-                left += box.width + GAP;
+            for (int band = 0; band < edges.length - 1; band++) {
+                List<Box> boxes = of(row, band);
+                double left = (edges[band] + edges[band + 1] - width(boxes)) / 2;
+                for (Box box : boxes) {
+                    box.x = left + GAP / 2 + box.width / 2;
+                    left += box.width + GAP;
+                }
             }
         }
     }
@@ -68,7 +95,7 @@ final class Rows {
     private void order(boolean down) {
         for (int index = 0; index < rows.size(); index++) {
             List<Box> row = rows.get(down ? index : rows.size() - 1 - index);
-            row.sort(Comparator.comparingDouble(Rows::middleOfNeighbours));
+            row.sort(Comparator.<Box>comparingInt(box -> box.band).thenComparingDouble(Rows::middleOfNeighbours));
         }
     }
 
@@ -76,22 +103,40 @@ final class Rows {
         return box.neighbours.stream().mapToDouble(other -> other.x).average().orElse(box.x);
     }
 
-    /** Moves each box towards the middle of its neighbours, as far as the boxes beside it allow. */
+    /** Moves each box towards the middle of its neighbours, as far as the boxes beside it and its band allow. */
     private void pull() {
         for (List<Box> row : rows) {
-            double[] wanted = row.stream().mapToDouble(Rows::middleOfNeighbours).toArray();
-            double[] fromLeft = new double[wanted.length];
-            double[] fromRight = new double[wanted.length];
-            for (int i = 0; i < wanted.length; i++) {
-                fromLeft[i] = i == 0 ? wanted[i] : Math.max(wanted[i], fromLeft[i - 1] + apart(row, i));
+            for (int band = 0; band < edges.length - 1; band++) {
+                pull(of(row, band), edges[band] + BAND_GAP / 2, edges[band + 1] - BAND_GAP / 2);
             }
-            for (int i = wanted.length - 1; i >= 0; i--) {
-                fromRight[i] =
-                        i == wanted.length - 1 ? wanted[i] : Math.min(wanted[i], fromRight[i + 1] - apart(row, i + 1));
-            }
-            for (int i = 0; i < wanted.length; i++) {
-                row.get(i).x = (fromLeft[i] + fromRight[i]) / 2;
-            }
+        }
+    }
+
+    private static void pull(List<Box> row, double least, double most) {
+        double[] wanted = row.stream()
+                .mapToDouble(
+                        box -> Math.max(least + box.width / 2, Math.min(most - box.width / 2, middleOfNeighbours(box))))
+                .toArray();
+        double[] fromLeft = new double[wanted.length];
+        double[] fromRight = new double[wanted.length];
+        for (int i = 0; i < wanted.length; i++) {
+            fromLeft[i] = i == 0 ? wanted[i] : Math.max(wanted[i], fromLeft[i - 1] + apart(row, i));
+        }
+        for (int i = wanted.length - 1; i >= 0; i--) {
+            fromRight[i] =
+                    i == wanted.length - 1 ? wanted[i] : Math.min(wanted[i], fromRight[i + 1] - apart(row, i + 1));
+        }
+        for (int i = 0; i < wanted.length; i++) {
+            row.get(i).x = (fromLeft[i] + fromRight[i]) / 2;
+        }
+        for (int i = wanted.length - 1; i >= 0; i--) {
+            Box box = row.get(i);
+            box.x = Math.min(
+                    box.x, i == wanted.length - 1 ? most - box.width / 2 : row.get(i + 1).x - apart(row, i + 1));
+        }
+        for (int i = 0; i < wanted.length; i++) {
+            Box box = row.get(i);
+            box.x = Math.max(box.x, i == 0 ? least + box.width / 2 : row.get(i - 1).x + apart(row, i));
         }
     }
 
