@@ -16,6 +16,7 @@ from pathlib import Path
 PROJECT = Path(__file__).resolve().parents[3]
 ROOT = Path(os.environ.get("EVOLOOP_HOME_ASSISTANT", PROJECT / "target/home-assistant-root"))
 BROKER = shutil.which("mosquitto", path=os.environ["PATH"] + ":/usr/sbin") or "mosquitto"
+MODELS = ["java", f"-Devoloop.home={PROJECT}", "-jar", str(PROJECT / "framework/models/target/evoloop-models.jar")]
 PATIENCE_S = 120
 # The first start downloads what the integrations need.
 INSTALLATION_S = 900
@@ -46,6 +47,7 @@ automation:
       - action: "{{ trigger.payload_json.action }}"
         target:
           entity_id: "{{ trigger.payload_json.entity }}"
+        data: "{{ trigger.payload_json.data }}"
 """
 
 
@@ -146,8 +148,13 @@ class House:
         self.start("home-assistant", ["unshare", "--mount", "sh", "-c", inside, str(ROOT)])
         self.wait("Home Assistant's birth", lambda: self.newest.get("homeassistant/status") == "online", limit_s)
 
-    def call(self, action: str, entity: str) -> None:
-        self.publish("test/call", json.dumps({"action": action, "entity": entity}))
+    def start_device(self, name: str, file: Path) -> None:
+        """Starts a device file, played by its model."""
+        command = [*MODELS, "device", "run", str(file), "--simulate", "--start", "--mqtt", f"mqtt://127.0.0.1:{self.port}"]
+        self.start(name, command)
+
+    def call(self, action: str, entity: str, **data: str) -> None:
+        self.publish("test/call", json.dumps({"action": action, "entity": entity, "data": data}))
 
     def publish(self, topic: str, payload: str) -> None:
         subprocess.run(["mosquitto_pub", "-p", str(self.port), "-t", topic, "-m", payload], check=True)

@@ -9,10 +9,29 @@ import time
 import unittest
 from pathlib import Path
 
-from house import House
+from house import PROJECT, House
 
 BROKER_RESTARTS = int(os.environ.get("EVOLOOP_BROKER_RESTARTS", "50"))
 HOME_ASSISTANT_RESTARTS = int(os.environ.get("EVOLOOP_HOME_ASSISTANT_RESTARTS", "20"))
+# Each service of a native entity, and what the entity then shows.
+SERVICES: list[tuple[str, str, dict[str, str], str]] = [
+    ("cover.open_cover", "cover.garage", {}, "opening"),
+    ("cover.stop_cover", "cover.garage", {}, "open"),
+    ("cover.close_cover", "cover.garage", {}, "closing"),
+    ("climate.turn_on", "climate.air_conditioner", {}, "cool"),
+    ("climate.set_preset_mode", "climate.air_conditioner", {"preset_mode": "boost"}, "cool"),
+    ("climate.set_hvac_mode", "climate.air_conditioner", {"hvac_mode": "off"}, "off"),
+    ("light.turn_on", "light.zigbee_bulb", {"effect": "both"}, "on"),
+    ("light.turn_off", "light.zigbee_bulb", {}, "off"),
+    ("fan.turn_on", "fan.fan", {"preset_mode": "high"}, "on"),
+    ("fan.turn_off", "fan.fan", {}, "off"),
+    ("vacuum.start", "vacuum.valetudo", {}, "cleaning"),
+    ("vacuum.pause", "vacuum.valetudo", {}, "paused"),
+    ("vacuum.return_to_base", "vacuum.valetudo", {}, "returning"),
+    ("vacuum.stop", "vacuum.valetudo", {}, "idle"),
+    ("switch.turn_off", "switch.washing_machine_switch_plug", {}, "off"),
+    ("switch.turn_on", "switch.washing_machine_switch_plug", {}, "on"),
+]
 
 
 class HomeAssistantTest(unittest.TestCase):
@@ -54,6 +73,19 @@ class HomeAssistantTest(unittest.TestCase):
         self.house.wait_shown("vacuum.roomba", "paused")
         self.house.call("vacuum.stop", "vacuum.roomba")
         self.house.wait_shown("vacuum.roomba", "idle")
+
+    def test_3_the_entities_of_device_files_are_operated_by_their_own_services(self) -> None:
+        self.house.start_device("garage", Path(__file__).with_name("garage.yaml"))
+        for name in ("roller-shutter", "air-conditioner", "zigbee-bulb", "fan", "valetudo", "washing-machine"):
+            self.house.start_device(name, PROJECT / f"devices/{name}/{name}.yaml")
+        for action, entity, data, state in SERVICES:
+            self.house.wait(entity, lambda: self.house.shown(entity) not in ("", "unavailable"))
+            self.house.call(action, entity, **data)
+            self.house.wait_shown(entity, state)
+        # Its child lock is not there, so it is locked.
+        self.house.call("cover.open_cover", "cover.roller_shutter")
+        self.house.wait("a failure", lambda: self.house.shown("event.roller_shutter_failure") not in ("", "unknown"))
+        self.house.wait_shown("cover.roller_shutter", "closed")
 
     def test_4_no_state_is_lost_with_the_broker(self) -> None:
         for _ in range(BROKER_RESTARTS):

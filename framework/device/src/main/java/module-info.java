@@ -9,7 +9,7 @@ module org.evoloop.device {
     requires org.evoloop.homeassistant;
     requires org.evoloop.http;
     requires org.evoloop.line;
-    requires org.evoloop.mqtt;
+    requires transitive org.evoloop.mqtt;
     requires org.evoloop.page;
     requires org.evoloop.payload;
     requires org.evoloop.program;

@@ -212,7 +212,7 @@ final class RoombaCommand {
         }
         setup.picture(above(roomba, simulated));
         eyes.map(Eyes::picture).ifPresent(setup::picture);
-        setup.home(home -> home.vacuum(new RoombaVacuum(home, roomba.session(), roomba.converter())));
+        setup.home(home -> home.entity(new RoombaVacuum(roomba.session(), roomba.converter()).entity()));
     }
 
     private static List<String> buttons(RoombaConverter roomba) {
@@ -235,7 +235,8 @@ final class RoombaCommand {
                 ? DrivenPath.of(roomba.session())
                 : new Picture(
                         "Room",
-                        "The room from above: walls, dock and marker, the way that the robot has driven, and where it is",
+                        "The room from above: walls, dock and marker, the way that the robot has driven, and where it"
+                                + " is",
                         "image/svg+xml",
                         () -> Picture.View.of(world.drawn().getBytes(StandardCharsets.UTF_8)));
     }

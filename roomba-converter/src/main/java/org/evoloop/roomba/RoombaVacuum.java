@@ -1,8 +1,5 @@
 package org.evoloop.roomba;
 
-import static java.util.Objects.requireNonNull;
-
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -10,8 +7,8 @@ import org.evoloop.converter.ConverterStatus;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.mqtt.HomeAssistant;
-import org.evoloop.mqtt.Vacuum;
+import org.evoloop.mqtt.HomeEntity;
+import org.evoloop.mqtt.HomeKind;
 import org.evoloop.roomba.move.Move;
 import org.evoloop.roomba.oi.ActuatorCommand;
 import org.evoloop.roomba.oi.ActuatorCommand.Song.Note;
@@ -21,145 +18,147 @@ import org.evoloop.roomba.session.inference.ActivityEstimate.EstimatedActivity;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
+import org.jspecify.annotations.Nullable;
 
 /**
- * The robot as a vacuum in Home Assistant. Each command presses the controller's buttons until the new model is in the
- * state to which the button of that name leads from On, so that a function assigned to that state runs. The commands
- * that end something never switch the robot on or drive it off its base.
+ * The robot as a vacuum in Home Assistant. Each command leads to the state to which the button of that name leads from On,
+ * so that a function assigned to that state runs. The commands that end something never switch the robot on or drive it off
+ * its base.
  */
-final class RoombaVacuum implements Vacuum {
+final class RoombaVacuum implements HomeEntity.Hooks {
+    static final String START = "start";
+    static final String STOP = "stop";
+    static final String PAUSE = "pause";
+    static final String RETURN = "return_to_base";
+    static final String CLEAN_SPOT = "clean_spot";
+    static final String LOCATE = "locate";
+    private static final String DOCKED = "docked";
+    private static final String IDLE = "idle";
+    private static final String PAUSED = "paused";
+
     private static final State ON = new State(RobotEvents.STATE_ON);
     private static final int TUNE = 4;
     private static final List<Note> NOTES =
             List.of(new Note(72, 16), new Note(76, 16), new Note(79, 16), new Note(84, 32));
 
     /** What each command does is what its button does in On. */
-    private static final Map<Order, String> BUTTONS = Map.of(
-            Order.START, RobotEvents.CLEAN,
-            Order.CLEAN_SPOT, RobotEvents.SPOT,
-            Order.RETURN_TO_BASE, RobotEvents.DOCK);
+    private static final Map<String, String> BUTTONS =
+            Map.of(START, RobotEvents.CLEAN, CLEAN_SPOT, RobotEvents.SPOT, RETURN, RobotEvents.DOCK);
 
     /** Leaving these by a button switches the robot on or drives it off its base. */
     private static final Set<String> RESTING = Set.of(
             RobotEvents.STATE_OFF, RobotEvents.STATE_ASLEEP, RobotEvents.STATE_CHARGING, RobotEvents.STATE_CHARGED);
 
-    private final HomeAssistant home;
     private final RoombaSession session;
     private final SystemEventConverter converter;
     private boolean paused;
     private boolean rested;
 
-    RoombaVacuum(HomeAssistant home, RoombaSession session, SystemEventConverter converter) {
-        this.home = home;
+    RoombaVacuum(RoombaSession session, SystemEventConverter converter) {
         this.session = session;
         this.converter = converter;
     }
 
+    /** The entity. */
+    HomeEntity entity() {
+        return HomeEntity.of(HomeKind.VACUUM).hooks(this);
+    }
+
     @Override
-    public Activity activity(ConverterStatus status) {
-        ConverterStatus.LinkStatus link = status.link();
+    public String shown(ConverterStatus now, @Nullable String byState) {
+        ConverterStatus.LinkStatus link = now.link();
         if (link != null && !link.up()) {
             // On its dock a robot also sleeps when it was not allowed to.
-            return session.isSilent() && isAtDock() ? Activity.DOCKED : Activity.ERROR;
+            return session.isSilent() && isAtDock() ? DOCKED : "error";
         }
-        Activity drawn = activity(
-                status.states().evolved().name(), status.states().original().name());
-        if (drawn != Activity.IDLE) {
+        String drawn = drawn(now.states(), byState == null ? IDLE : byState);
+        if (!drawn.equals(IDLE)) {
             // Until it rests, it still does the work that is to be interrupted.
             paused &= !rested;
             rested = false;
             return drawn;
         }
         rested = true;
-        return isAtDock() ? Activity.DOCKED : paused ? Activity.PAUSED : Activity.IDLE;
+        return isAtDock() ? DOCKED : paused ? PAUSED : IDLE;
     }
 
-    private Activity activity(String evolved, String original) {
-        return switch (evolved) {
-            case RobotEvents.STATE_CLEAN, RobotEvents.STATE_SPOT, RobotEvents.MAX -> Activity.CLEANING;
-            case RobotEvents.STATE_DOCK -> Activity.RETURNING;
-            case RobotEvents.STATE_CHARGING, RobotEvents.STATE_CHARGED -> Activity.DOCKED;
-            case RobotEvents.STATE_ERROR -> Activity.ERROR;
-            case RobotEvents.STATE_OFF, RobotEvents.STATE_ON, RobotEvents.STATE_ASLEEP -> Activity.IDLE;
-            default -> isMove(evolved) ? Activity.CLEANING : evolved.equals(original) ? Activity.IDLE : ofNew(original);
-        };
+    /** In a new state in which it waits, what the robot itself does is shown. */
+    private String drawn(Configuration now, String byState) {
+        boolean waits = byState.equals(PAUSED) && !now.evolved().equals(now.original());
+        String device = waits ? HomeKind.VACUUM.shownBy(now.original().name()) : byState;
+        return device != null && !(waits && device.equals(IDLE)) ? device : isAtDock() ? DOCKED : PAUSED;
     }
 
-    /** Whether the robot is driving to a place that it will clean. */
-    private boolean isMove(String state) {
-        return models().evolved().hasTrigger(new State(state), new Event(Move.ARRIVED));
-    }
-
-    /** A new state in which the robot is at rest counts as waiting; otherwise the robot's own activity is shown. */
-    private Activity ofNew(String original) {
-        Activity device = activity(original, original);
-        return device != Activity.IDLE ? device : isAtDock() ? Activity.DOCKED : Activity.PAUSED;
+    /** A new state counts as waiting, unless the robot drives in it to a place that it will clean. */
+    @Override
+    public String shown(State state, ModelPair models) {
+        return models.evolved().hasTrigger(state, new Event(Move.ARRIVED)) ? "cleaning" : PAUSED;
     }
 
     @Override
-    public Set<Order> commands() {
-        StateMachine evolved = models().evolved();
-        Set<Order> offered = EnumSet.of(Order.LOCATE);
-        if (evolved.hasState(ON)) {
-            offered.addAll(List.of(Order.STOP, Order.PAUSE));
+    public Set<String> commands() {
+        return Set.of(LOCATE);
+    }
+
+    @Override
+    public @Nullable List<State> goals(String command, StateMachine evolved) {
+        String button = BUTTONS.get(command);
+        if (button == null) {
+            return evolved.alike(ON);
         }
-        BUTTONS.forEach((command, button) -> {
-            if (evolved.nextState(ON, new Event(button)).isPresent()) {
-                offered.add(command);
-            }
-        });
-        return offered;
+        return evolved.nextState(ON, new Event(button)).map(evolved::alike).orElse(List.of());
     }
 
     @Override
-    public void perform(Order command) {
-        switch (command) {
-            case START, CLEAN_SPOT -> home.goTo(where(command));
-            case RETURN_TO_BASE -> returnToBase();
-            case STOP, PAUSE -> {
-                if (!stop()) {
-                    paused &= command == Order.PAUSE;
-                    return;
-                }
-            }
+    public boolean begins(String command, ConverterStatus now) {
+        boolean begins = switch (command) {
+            case START, CLEAN_SPOT -> isDrawn(command);
+            case RETURN -> returns(now.states());
+            case STOP, PAUSE -> ends(now.states());
             case LOCATE -> locate();
-        }
-        if (command != Order.LOCATE) {
-            paused = command == Order.PAUSE;
+            default -> true;
+        };
+        if (begins) {
+            paused = command.equals(PAUSE);
             rested = false;
+        } else if (command.equals(STOP)) {
+            paused = false;
         }
+        return begins;
     }
 
-    private void returnToBase() {
-        Configuration now = converter.status().states();
+    private boolean isDrawn(String command) {
+        StateMachine evolved = converter.knowledge().models().evolved();
+        List<State> goals = goals(command, evolved);
+        if (goals == null || goals.isEmpty()) {
+            throw new IllegalStateException("the new model does not say what " + BUTTONS.get(command) + " does in " + ON
+                    + "; draw it, or take another model");
+        }
+        return true;
+    }
+
+    private boolean returns(Configuration now) {
         if (isOnBase(now)) {
-            home.stay();
-        } else if (now.original().name().equals(RobotEvents.STATE_OFF)) {
-            throw new IllegalStateException("the robot is off, and going home would switch it on; start it first");
-        } else {
-            home.goTo(where(Order.RETURN_TO_BASE), RoombaVacuum::isAwakeOnTheFloor);
+            return false;
         }
+        if (now.original().name().equals(RobotEvents.STATE_OFF)) {
+            throw new IllegalStateException("the robot is off, and going home would switch it on; start it first");
+        }
+        return isDrawn(RETURN);
     }
 
-    /** Ends the robot's work or a function. Returns false if there is nothing to end. */
-    private boolean stop() {
-        Configuration now = converter.status().states();
+    /** Whether there is work or a function to end. */
+    private boolean ends(Configuration now) {
         boolean onBase = isOnBase(now);
         boolean works = RobotEvents.activity(now.original()).isWork() && !onBase;
         if (now.evolved().equals(now.original()) && !works) {
-            home.stay();
             return false;
         }
         if (RESTING.contains(now.original().name())) {
             throw new IllegalStateException("the robot is in " + now.original() + ", and ending " + now.evolved()
                     + " would " + (onBase ? "drive it off its base" : "switch it on"));
         }
-        home.goTo(ON, state -> !onBase && isAwakeOnTheFloor(state));
         return true;
-    }
-
-    private static boolean isAwakeOnTheFloor(State state) {
-        return !RESTING.contains(state.name());
     }
 
     /** Whether it is on its dock, and not just leaving it. */
@@ -174,24 +173,13 @@ final class RoombaVacuum implements Vacuum {
         return last != null && last.values().onHomeBase();
     }
 
-    private ModelPair models() {
-        return converter.knowledge().models();
-    }
-
-    private State where(Order command) {
-        String button = requireNonNull(BUTTONS.get(command));
-        return models().evolved()
-                .nextState(ON, new Event(button))
-                .orElseThrow(() -> new IllegalStateException("the new model does not say what " + button + " does in "
-                        + ON + "; draw it, or take another model"));
-    }
-
-    private void locate() {
+    private boolean locate() {
         if (!session.isUnderControl()) {
             throw new IllegalStateException(
                     "the robot plays its tune only while it is under control: on, and not cleaning or on its dock");
         }
         session.send(new ActuatorCommand.Song(TUNE, NOTES));
         session.send(new ActuatorCommand.Play(TUNE));
+        return false;
     }
 }

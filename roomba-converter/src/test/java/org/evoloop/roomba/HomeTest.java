@@ -12,9 +12,6 @@ import org.evoloop.converter.HistoryEntry;
 import org.evoloop.converter.Trouble;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.function.Reading;
-import org.evoloop.mqtt.BrokerAddress;
-import org.evoloop.mqtt.HomeAssistant;
-import org.evoloop.mqtt.Vacuum;
 import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.roomba.oi.Button;
@@ -129,17 +126,14 @@ class HomeTest {
         roomba.mute(true);
         until("Asleep", "Asleep", 5);
         assertThat(roomba.roomba.session().isUp()).isTrue();
-        assertThat(vacuum().activity(roomba.roomba.converter().status())).isEqualTo(Vacuum.Activity.DOCKED);
+        assertThat(vacuum().shown(roomba.roomba.converter().status(), "idle")).isEqualTo("docked");
 
         roomba.mute(false);
         until("Charged", "Charged", 10);
     }
 
     private RoombaVacuum vacuum() {
-        return new RoombaVacuum(
-                new HomeAssistant(roomba.roomba.converter(), BrokerAddress.parse("mqtt://localhost")),
-                roomba.roomba.session(),
-                roomba.roomba.converter());
+        return new RoombaVacuum(roomba.roomba.session(), roomba.roomba.converter());
     }
 
     @Test

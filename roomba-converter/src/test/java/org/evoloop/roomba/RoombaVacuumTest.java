@@ -4,24 +4,23 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
-import java.util.EnumSet;
 import java.util.List;
 import org.evoloop.PaperPair;
 import org.evoloop.RoombaPair;
+import org.evoloop.converter.ConverterStatus;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.mqtt.BrokerAddress;
-import org.evoloop.mqtt.HomeAssistant;
-import org.evoloop.mqtt.Vacuum.Activity;
-import org.evoloop.mqtt.Vacuum.Order;
+import org.evoloop.mqtt.HomeKind;
+import org.evoloop.mqtt.HomeTable;
 import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
+import org.evoloop.statemachine.Event;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /** What the vacuum offers, shows and refuses; {@code AtHomeTest} has what it presses. */
 class RoombaVacuumTest {
-    private static final List<Order> ENDING = List.of(Order.STOP, Order.PAUSE, Order.RETURN_TO_BASE);
+    private static final List<String> ENDING = List.of(RoombaVacuum.STOP, RoombaVacuum.PAUSE, RoombaVacuum.RETURN);
 
     private SteppedRoomba roomba = with(RoombaPair.of("home"));
     private RoombaVacuum vacuum = vacuum();
@@ -35,10 +34,7 @@ class RoombaVacuumTest {
     }
 
     private RoombaVacuum vacuum() {
-        return new RoombaVacuum(
-                new HomeAssistant(roomba.roomba.converter(), BrokerAddress.parse("mqtt://localhost")),
-                roomba.roomba.session(),
-                roomba.roomba.converter());
+        return new RoombaVacuum(roomba.roomba.session(), roomba.roomba.converter());
     }
 
     private void take(ModelPair models) {
@@ -47,8 +43,21 @@ class RoombaVacuumTest {
         vacuum = vacuum();
     }
 
-    private Activity shown() {
-        return vacuum.activity(roomba.roomba.converter().status());
+    private HomeTable table() {
+        List<String> events = roomba.roomba.converter().controllerEvents().stream()
+                .map(Event::name)
+                .toList();
+        return HomeTable.of(
+                vacuum.entity(), roomba.roomba.converter().knowledge().models(), events);
+    }
+
+    private String shown() {
+        ConverterStatus status = roomba.roomba.converter().status();
+        return vacuum.shown(status, table().shown(status.states().evolved()));
+    }
+
+    private boolean begins(String command) {
+        return vacuum.begins(command, roomba.roomba.converter().status());
     }
 
     @AfterEach
@@ -58,31 +67,31 @@ class RoombaVacuumTest {
 
     @Test
     void itOffersWhatTheNewModelCanDo() {
-        assertThat(vacuum.commands()).isEqualTo(EnumSet.allOf(Order.class));
+        assertThat(table().commands()).containsExactlyElementsOf(HomeKind.VACUUM.commands());
         take(RoombaPair.of("guest"));
-        assertThat(vacuum.commands()).as("CLEAN does nothing in On").doesNotContain(Order.START);
+        assertThat(table().commands()).as("CLEAN does nothing in On").doesNotContain(RoombaVacuum.START);
         take(PaperPair.cleaningRobot());
-        assertThat(vacuum.commands()).as("there is no dock").doesNotContain(Order.RETURN_TO_BASE);
+        assertThat(table().commands()).as("there is no dock").doesNotContain(RoombaVacuum.RETURN);
     }
 
     @Test
     void whatEndsSomethingLeavesARobotThatIsOff() {
-        vacuum.perform(Order.STOP);
-        vacuum.perform(Order.PAUSE);
-        assertThatThrownBy(() -> vacuum.perform(Order.RETURN_TO_BASE)).hasMessageContaining("the robot is off");
+        assertThat(begins(RoombaVacuum.STOP)).isFalse();
+        assertThat(begins(RoombaVacuum.PAUSE)).isFalse();
+        assertThatThrownBy(() -> begins(RoombaVacuum.RETURN)).hasMessageContaining("the robot is off");
         assertThat(roomba.advance(Duration.ofSeconds(1)).states()).isEqualTo(SteppedRoomba.at("Off", "Off"));
-        assertThat(shown()).isEqualTo(Activity.IDLE);
+        assertThat(shown()).isEqualTo("idle");
     }
 
     @Test
     void whatEndsSomethingLeavesARobotOnItsDock() {
         roomba.robot.dock();
         roomba.advance(Duration.ofSeconds(2));
-        ENDING.forEach(vacuum::perform);
+        assertThat(ENDING).noneMatch(this::begins);
         roomba.mute(true).advance(Duration.ofSeconds(5));
         assertThat(roomba.states()).isEqualTo(SteppedRoomba.at("Asleep", "Asleep"));
-        ENDING.forEach(vacuum::perform);
-        assertThat(shown()).isEqualTo(Activity.DOCKED);
+        assertThat(ENDING).noneMatch(this::begins);
+        assertThat(shown()).isEqualTo("docked");
     }
 
     @Test
@@ -99,15 +108,15 @@ class RoombaVacuumTest {
         roomba.robot.dock();
         roomba.advance(Duration.ofSeconds(3));
         assertThat(roomba.states()).isEqualTo(SteppedRoomba.at("Charging", "ChargeThenMove"));
-        assertThatThrownBy(() -> vacuum.perform(Order.STOP)).hasMessageContaining("would drive it off its base");
-        assertThat(shown()).isEqualTo(Activity.DOCKED);
+        assertThatThrownBy(() -> begins(RoombaVacuum.STOP)).hasMessageContaining("would drive it off its base");
+        assertThat(shown()).isEqualTo("docked");
     }
 
     @Test
     void aPauseOfARobotAtRestIsNone() {
         roomba.press(RobotEvents.CLEAN).advance(Duration.ofSeconds(1));
-        vacuum.perform(Order.PAUSE);
-        assertThat(shown()).isEqualTo(Activity.IDLE);
+        begins(RoombaVacuum.PAUSE);
+        assertThat(shown()).isEqualTo("idle");
     }
 
     @Test
@@ -116,10 +125,10 @@ class RoombaVacuumTest {
         roomba.robot.dock();
         roomba.advance(Duration.ofSeconds(2)).mute(true).advance(Duration.ofSeconds(30));
         assertThat(roomba.roomba.session().isUp()).isFalse();
-        assertThat(shown()).isEqualTo(Activity.DOCKED);
+        assertThat(shown()).isEqualTo("docked");
         roomba.robot.undock();
         roomba.mute(false).advance(Duration.ofSeconds(10)).mute(true).advance(Duration.ofSeconds(30));
-        assertThat(shown()).isEqualTo(Activity.ERROR);
+        assertThat(shown()).isEqualTo("error");
     }
 
     @Test
@@ -127,6 +136,6 @@ class RoombaVacuumTest {
         roomba.robot.dock();
         roomba.advance(Duration.ofSeconds(2)).unplug();
         roomba.advance(Duration.ofSeconds(2));
-        assertThat(shown()).isEqualTo(Activity.ERROR);
+        assertThat(shown()).isEqualTo("error");
     }
 }

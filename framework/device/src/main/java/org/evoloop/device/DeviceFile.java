@@ -76,6 +76,7 @@ public final class DeviceFile {
     private final List<Scenario> scenarios;
     private final List<OptionLine> options;
     private final LearnSection learning;
+    private final HomeSection home;
     private final @Nullable Connection confirming;
 
     private DeviceFile(Path path, Reader reader, FileModels models, ModelReader read, Connections connections) {
@@ -92,6 +93,7 @@ public final class DeviceFile {
         this.scenarios = List.copyOf(reader.scenarios);
         this.options = List.copyOf(reader.options);
         this.learning = reader.learning;
+        this.home = reader.home;
         this.confirming = reader.confirming;
     }
 
@@ -114,6 +116,7 @@ public final class DeviceFile {
         Reader reader = new Reader(file, models, connections);
         reader.read(programOptions);
         models.checkAll(file);
+        reader.home.check(models.models());
         problems.throwIfAny();
         return new DeviceFile(problems.file(), reader, models, read, connections);
     }
@@ -166,6 +169,7 @@ public final class DeviceFile {
         this.scenarios = next.scenarios;
         this.options = next.options;
         this.learning = next.learning;
+        this.home = next.home;
         this.confirming = next.confirming;
     }
 
@@ -220,6 +224,11 @@ public final class DeviceFile {
     /** What the file says about learning the device. */
     public LearnSection learning() {
         return learning;
+    }
+
+    /** The entities of Home Assistant. */
+    public HomeSection home() {
+        return home;
     }
 
     /** The events that are sent to the device. */
@@ -306,6 +315,7 @@ public final class DeviceFile {
         private final List<Scenario> scenarios = new ArrayList<>();
         private final List<OptionLine> options = new ArrayList<>();
         private LearnSection learning = LearnSection.NONE;
+        private HomeSection home = HomeSection.NONE;
         private @Nullable Connection confirming;
         private final Guards guards;
         private final FileKnowledge.Content content;
@@ -327,7 +337,8 @@ public final class DeviceFile {
             });
             functionsAndEffects();
             file.section("learn").ifPresent(learn -> learning = LearnSection.read(learn, models));
-            file.section("scenarios").ifPresent(all -> scenarios.addAll(Scenario.read(all, models)));
+            file.section("home-assistant").ifPresent(section -> home = HomeSection.read(section, models));
+            file.section("scenarios").ifPresent(all -> scenarios.addAll(Scenario.read(all, models, home)));
             programOptions.names().forEach(this::option);
             programOptions.check(options, file.problems()::at);
             file.done();

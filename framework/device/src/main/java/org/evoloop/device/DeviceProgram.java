@@ -77,6 +77,7 @@ public final class DeviceProgram {
         Reload reload = new Reload(file, setup.converter(), open(setup));
         setup.command(reload.command());
         setup.knowledge(reload::knowledge);
+        setup.home(file.home()::addTo);
     }
 
     /** Adds what is at the other end; the links that were added. */

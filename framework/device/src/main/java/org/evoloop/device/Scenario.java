@@ -12,6 +12,10 @@ import org.evoloop.converter.DeviceLink;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
 import org.evoloop.function.Reading;
+import org.evoloop.mqtt.HomeEntity;
+import org.evoloop.mqtt.HomeTable;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.Names;
 import org.evoloop.testkit.ConverterHarness;
 import org.evoloop.testkit.SimulatedDevice;
 import org.evoloop.time.ManualClock;
@@ -54,13 +58,15 @@ public record Scenario(String name, List<Line> steps) {
 
     /** A scenario that runs. */
     public static final class Running {
+        private final DeviceFile file;
         private final ConverterHarness converter;
         private final SimulatedDevice device;
         private final ManualClock clock;
         private final Told told;
         private int seen;
 
-        Running(ConverterHarness converter, SimulatedDevice device, ManualClock clock, Told told) {
+        Running(DeviceFile file, ConverterHarness converter, SimulatedDevice device, ManualClock clock, Told told) {
+            this.file = file;
             this.converter = converter;
             this.device = device;
             this.clock = clock;
@@ -71,6 +77,16 @@ public record Scenario(String name, List<Line> steps) {
             ZonedDateTime now = clock.wallTime().atZone(ZoneId.systemDefault());
             ZonedDateTime next = now.with(time);
             converter.advance(Duration.between(now, next.isAfter(now) ? next : next.plusDays(1)));
+        }
+
+        /** Home Assistant gives a command; one that is refused presses nothing. */
+        private void command(HomeEntity entity, String command) {
+            List<String> events = converter.converter().controllerEvents().stream()
+                    .map(Event::name)
+                    .toList();
+            HomeTable.of(entity, file.models(), events)
+                    .presses(converter.status().states().evolved(), command)
+                    .forEach(converter::press);
         }
 
         private List<String> sent() {
@@ -106,12 +122,12 @@ public record Scenario(String name, List<Line> steps) {
     }
 
     /** Reads the scenarios of a section. */
-    static List<Scenario> read(Section all, FileModels models) {
+    static List<Scenario> read(Section all, FileModels models, HomeSection home) {
         List<Scenario> scenarios = new ArrayList<>();
         for (Node.Text name : all.keys()) {
             List<Line> steps = new ArrayList<>();
             for (Section step : all.listed(name.value())) {
-                Action action = action(step, models);
+                Action action = action(step, models, home);
                 step.done();
                 if (action != null) {
                     steps.add(new Line(step.node().line(), step.toString(), action));
@@ -122,7 +138,7 @@ public record Scenario(String name, List<Line> steps) {
         return scenarios;
     }
 
-    private static @Nullable Action action(Section step, FileModels models) {
+    private static @Nullable Action action(Section step, FileModels models, HomeSection home) {
         List<Action> actions = new ArrayList<>();
         if (step.has("readings")) {
             step.pairs("readings").forEach((name, text) -> {
@@ -138,6 +154,15 @@ public record Scenario(String name, List<Line> steps) {
         step.text("press").ifPresent(event -> {
             models.known(event);
             actions.add(running -> running.converter.press(event.value()));
+        });
+        step.pairs("command").forEach((name, command) -> {
+            HomeEntity entity = home.named(name.value());
+            if (entity == null) {
+                step.problems()
+                        .at(name, "home-assistant has no '" + name + "'" + Names.hint(name.value(), home.names()));
+            } else {
+                actions.add(running -> running.command(entity, command.value()));
+            }
         });
         step.text("device").ifPresent(event -> {
             models.known(event);
@@ -159,8 +184,8 @@ public record Scenario(String name, List<Line> steps) {
             actions.add(running -> require("device-state", state.value(), running.device.state()));
         });
         if (actions.isEmpty()) {
-            step.problem(
-                    step.name() + " needs one of readings, until, press, device, after, sent, state, device-state");
+            step.problem(step.name()
+                    + " needs one of readings, until, press, command, device, after, sent, state, device-state");
             return null;
         }
         return running -> actions.forEach(each -> each.perform(running));
@@ -186,7 +211,7 @@ public record Scenario(String name, List<Line> steps) {
                 .with(device)
                 .clock(clock)
                 .start()) {
-            Running running = new Running(converter, device, clock, told);
+            Running running = new Running(file, converter, device, clock, told);
             for (Line step : steps) {
                 try {
                     step.action().perform(running);

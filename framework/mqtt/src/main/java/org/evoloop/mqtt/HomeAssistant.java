@@ -5,13 +5,11 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.function.Predicate;
-import java.util.stream.Collectors;
 import org.evoloop.console.Console;
 import org.evoloop.console.OfferedModels;
 import org.evoloop.converter.ConverterListener;
@@ -23,12 +21,12 @@ import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.EventOutcome;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Outcome;
 import org.evoloop.evolution.Values;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.Failure;
 import org.evoloop.loop.LoopState;
 import org.evoloop.payload.JsonObject;
-import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.time.Threads;
 import org.jspecify.annotations.Nullable;
@@ -44,12 +42,10 @@ import org.slf4j.LoggerFactory;
  * console.onEnd(reason -> home.close());
  * }</pre>
  *
- * <p>Lifecycle: made when the converter has been built; {@link #vacuum} and {@link #choice}; {@link #open}, which does
+ * <p>Lifecycle: made when the converter has been built; {@link #entity} and {@link #choice}; {@link #open}, which does
  * not wait for the broker; {@link #close}, after which the device is unavailable.
  *
- * <p>Threading: {@link #open} and what comes before on one thread; {@link #goTo} and {@link #stay}
- * for the vacuum, on its. The
- * converter's threads never wait for the broker.
+ * <p>Threading: {@link #open} and what comes before on one thread. The converter's threads never wait for the broker.
  *
  * @since 0.1
  */
@@ -73,8 +69,10 @@ public final class HomeAssistant implements AutoCloseable {
     /** Whether there has been a shadow: its entities remain after it. */
     private boolean shadowed;
 
-    private @Nullable Errand errand;
-    private @Nullable Vacuum vacuum;
+    private final List<HomeEntity> entities = new ArrayList<>();
+    private final HomeOperator operator;
+    private boolean reached = true;
+
     private @Nullable URI page;
     private @Nullable Thread thread;
     private volatile String lastFailure = "";
@@ -98,11 +96,12 @@ public final class HomeAssistant implements AutoCloseable {
         this.converter = converter;
         this.topics = new HomeTopics(address.id(converter.status().name()), address.discovery());
         this.connection = new BrokerConnection(address, "evoloop-" + topics.id());
+        this.operator = new HomeOperator(converter, this::submit, this::refuse);
     }
 
-    /** Shows it as a vacuum as well; before {@link #open}. */
-    public HomeAssistant vacuum(Vacuum shown) {
-        vacuum = shown;
+    /** Shows an entity as well, such as a cover; before {@link #open}. */
+    public HomeAssistant entity(HomeEntity shown) {
+        entities.add(shown);
         return this;
     }
 
@@ -110,62 +109,6 @@ public final class HomeAssistant implements AutoCloseable {
     public HomeAssistant choice(Choice offered) {
         choices.add(offered);
         return this;
-    }
-
-    /**
-     * Raises the controller's events, one after another, that take the new model to a state, as a person would press
-     * buttons. Returns after the first, and ends an earlier call's work. It gives up after a minute, and when something
-     * else happens on the way.
-     *
-     * @param state of the new model
-     * @throws IllegalStateException if no events of a controller lead there, or the converter is stopped
-     */
-    public void goTo(State state) {
-        goTo(state, any -> true);
-    }
-
-    /**
-     * As {@link #goTo(State)}, through certain states only.
-     *
-     * @param mayPass whether the way may lead through this state of the new model; not asked about its ends
-     * @throws IllegalStateException if no events of a controller lead there on such a way, or the converter is stopped
-     */
-    public void goTo(State state, Predicate<State> mayPass) {
-        Errand begun = new Errand(
-                converter.knowledge().models().evolved(),
-                buttons(),
-                state,
-                mayPass,
-                controller::press,
-                converter.clock().nanoTime());
-        errand = null;
-        if (proceed(begun)) {
-            errand = begun;
-        }
-    }
-
-    /** The names of the events that a controller may raise. */
-    private Set<String> buttons() {
-        return converter.controllerEvents().stream()
-                .map(Event::name)
-                .collect(Collectors.toCollection(LinkedHashSet::new));
-    }
-
-    /** Ends the work of an earlier {@link #goTo}: no further events are raised for it. */
-    public void stay() {
-        errand = null;
-    }
-
-    private boolean proceed(Errand begun) {
-        return begun.step(
-                converter.status().states().evolved(), converter.clock().nanoTime());
-    }
-
-    private void proceed() {
-        Errand begun = errand;
-        if (begun != null) {
-            obey(payload -> errand = proceed(begun) ? begun : null, "errand");
-        }
     }
 
     /** Starts connecting and showing the converter. */
@@ -181,10 +124,7 @@ public final class HomeAssistant implements AutoCloseable {
         obey(topics.press(), this::press);
         obey(topics.converting(), this::convert);
         obey(topics.promote(), this::beginPromotion);
-        Vacuum shown = vacuum;
-        if (shown != null) {
-            obey(topics.vacuumCommand(), command -> shown.perform(command(command)));
-        }
+        entities.forEach(this::obey);
         for (Choice choice : choices) {
             obey(topics.choice(choice.key()), wanted -> {
                 if (!choice.options().contains(wanted)) {
@@ -200,21 +140,34 @@ public final class HomeAssistant implements AutoCloseable {
         return this;
     }
 
-    private void press(String event) {
-        EventOutcome early = Told.submit(controller, event, Values.NONE, connection, topics.outcome())
-                .getNow(null);
-        if (early instanceof EventOutcome.Refused || early instanceof EventOutcome.Dropped) {
-            throw new IllegalStateException(early.why());
+    private void obey(HomeEntity entity) {
+        String key = entity.key();
+        if (entity.kind() == HomeKind.EVENT) {
+            return;
+        }
+        obey(topics.command(key), payload -> operator.obey(entity, HomeNative.command(entity, payload)));
+        if (entity.kind().hasModes()) {
+            obey(topics.mode(key), mode -> operator.obey(entity, entity.kind().modeWord() + " " + mode));
+        }
+        if (entity.kind() == HomeKind.HUMIDIFIER) {
+            obey(topics.humidity(key), wanted -> {
+                throw new IllegalStateException(
+                        "the humidity that is wanted is not something that the new model knows");
+            });
         }
     }
 
-    private static Vacuum.Order command(String payload) {
-        for (Vacuum.Order command : Vacuum.Order.values()) {
-            if (command.name().toLowerCase(Locale.ROOT).equals(payload)) {
-                return command;
-            }
+    /** Wakes this thread when the outcome is known. */
+    private CompletableFuture<EventOutcome> submit(String event) {
+        return Told.submit(controller, event, Values.NONE, connection, topics.outcome())
+                .whenComplete((outcome, never) -> look());
+    }
+
+    private void press(String event) {
+        EventOutcome early = submit(event).getNow(null);
+        if (early instanceof EventOutcome.Refused || early instanceof EventOutcome.Dropped) {
+            throw new IllegalStateException(early.why());
         }
-        throw new IllegalArgumentException("a vacuum does not know the command " + payload);
     }
 
     private void convert(String payload) {
@@ -274,16 +227,25 @@ public final class HomeAssistant implements AutoCloseable {
         } catch (Exception refusal) {
             String why = String.valueOf(refusal.getMessage());
             LOG.debug("'{}' is refused", payload, refusal);
-            publish(Message.event(
-                    topics.decision(), HomeState.refusal(payload, why).toString()));
+            refuse(payload, why);
         }
+    }
+
+    private void refuse(String command, String why) {
+        publish(Message.event(topics.decision(), HomeState.refusal(command, why).toString()));
+        fail(HomeDiscovery.REFUSED, command + ": " + why);
+    }
+
+    /** Raises the event that something has failed. */
+    private void fail(String type, String what) {
+        publish(Message.event(topics.failure(), HomeState.failure(type, what).toString()));
     }
 
     private void run() {
         try {
             while (!Thread.currentThread().isInterrupted()) {
                 show();
-                proceed();
+                operator.proceed();
                 Runnable next = inbox.poll(LOOK_MILLIS, TimeUnit.MILLISECONDS);
                 for (; next != null; next = inbox.poll()) {
                     next.run();
@@ -311,12 +273,15 @@ public final class HomeAssistant implements AutoCloseable {
         }
         publish(Message.state(
                 topics.state(), HomeState.state(status, choices, lastFailure).toString()));
-        Vacuum shown = vacuum;
-        if (shown != null) {
-            String activity = shown.activity(status).name().toLowerCase(Locale.ROOT);
-            publish(Message.state(
-                    topics.vacuum(), new JsonObject().put("state", activity).toString()));
+        for (HomeEntity entity : entities) {
+            if (entity.kind() != HomeKind.EVENT && entity.kind() != HomeKind.BUTTON) {
+                publish(Message.state(
+                        topics.entity(entity.key()),
+                        HomeNative.published(entity, operator.table(entity), status)
+                                .toString()));
+            }
         }
+        lookAtLink(status);
         if (shadowed) {
             publish(Message.state(topics.shadow(), shadow.toString()));
         }
@@ -326,12 +291,18 @@ public final class HomeAssistant implements AutoCloseable {
         publish(Message.state(topics.availability(), ended ? "offline" : "online"));
     }
 
+    private void lookAtLink(ConverterStatus status) {
+        ConverterStatus.LinkStatus link = status.link();
+        if (link != null && !link.up() && reached) {
+            fail(HomeDiscovery.UNREACHABLE, link.text());
+        }
+        reached = link == null || link.up();
+    }
+
     private String config(ConverterStatus status) {
         HomeDiscovery discovery = new HomeDiscovery(topics, status.name())
-                .converter(converter.knowledge().models(), buttons());
-        if (vacuum != null) {
-            discovery.vacuum(vacuum.commands());
-        }
+                .converter(converter.knowledge().models(), operator.buttons(), !entities.isEmpty());
+        entities.forEach(entity -> discovery.entity(entity, operator.table(entity)));
         if (status.link() != null) {
             discovery.link();
         }
@@ -359,7 +330,27 @@ public final class HomeAssistant implements AutoCloseable {
                 lastFailure = violated.label();
             }
             publish(Message.event(topics.decision(), HomeState.decision(entry).toString()));
+            if (entry.outcome() == Outcome.FAILED) {
+                fail(HomeDiscovery.FAILED, entry.occurrence().label() + ": " + entry.detail());
+            }
+            raise(entry);
             look();
+        }
+
+        /** The types of the event entities, when their state is entered. */
+        private void raise(HistoryEntry entry) {
+            State now = entry.after().evolved();
+            for (HomeEntity entity : entities) {
+                String type = entity.kind() == HomeKind.EVENT
+                                && !now.equals(entry.before().evolved())
+                        ? operator.table(entity).mode(now)
+                        : "";
+                if (!type.isEmpty()) {
+                    publish(Message.event(
+                            topics.entity(entity.key()),
+                            new JsonObject().put("event_type", type).toString()));
+                }
+            }
         }
 
         @Override

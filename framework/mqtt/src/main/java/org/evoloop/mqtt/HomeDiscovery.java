@@ -10,7 +10,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.Properties;
-import java.util.Set;
 import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
 import org.evoloop.evolution.ModelPair;
@@ -28,6 +27,12 @@ import org.jspecify.annotations.Nullable;
 final class HomeDiscovery {
     /** The event type for a refused command. */
     static final String REFUSED = "refused";
+
+    /** The event type for an event that has failed, or a property that is violated. */
+    static final String FAILED = "failed";
+
+    /** The event type for a device that cannot be reached any more. */
+    static final String UNREACHABLE = "unreachable";
 
     private static final String DIAGNOSTIC = "diagnostic";
     private static final Pattern PLAIN = Pattern.compile("[A-Za-z0-9]+(?:[ _.-][A-Za-z0-9]+)*");
@@ -69,18 +74,30 @@ final class HomeDiscovery {
                 : (plain.isEmpty() ? "" : plain + "_") + "x" + Integer.toHexString(text.hashCode());
     }
 
-    /** The entities of every converter. */
-    HomeDiscovery converter(ModelPair models, Collection<String> buttons) {
-        states("device_state", "Device state", models.original().states());
-        states("state", "State", models.evolved().states());
+    /**
+     * The entities of every converter.
+     *
+     * @param beside whether they are beside an entity that shows the state
+     */
+    HomeDiscovery converter(ModelPair models, Collection<String> buttons, boolean beside) {
+        UnaryOperator<JsonObject> category = beside ? each -> each.put("entity_category", DIAGNOSTIC) : each -> each;
+        states("device_state", "Device state", models.original().states(), category);
+        states("state", "State", models.evolved().states(), category);
         add("event", "decision", "Decision", event -> {
             List<String> types = new ArrayList<>();
             for (Outcome outcome : Outcome.values()) {
                 types.add(outcome.name().toLowerCase(Locale.ROOT));
             }
             types.add(REFUSED);
-            return event.put("state_topic", topics.decision()).putTexts("event_types", types);
+            return category.apply(event.put("state_topic", topics.decision()).putTexts("event_types", types));
         });
+        add(
+                "event",
+                "failure",
+                "Failure",
+                event -> event.put("state_topic", topics.failure())
+                        .putTexts("event_types", List.of(FAILED, REFUSED, UNREACHABLE))
+                        .put("entity_category", DIAGNOSTIC));
         for (String button : buttons) {
             add(
                     "button",
@@ -100,19 +117,19 @@ final class HomeDiscovery {
                 "sensor",
                 "progress",
                 "Progress",
-                progress -> progress.put("state_topic", topics.state())
+                progress -> category.apply(progress.put("state_topic", topics.state())
                         .put("value_template", "{{ value_json.progress }}")
                         .put("json_attributes_topic", topics.state())
-                        .put("json_attributes_template", "{{ value_json.function | tojson }}"));
+                        .put("json_attributes_template", "{{ value_json.function | tojson }}")));
         add(
                 "sensor",
                 "next_timer",
                 "Next timer",
-                timer -> timer.put("device_class", "timestamp")
+                timer -> category.apply(timer.put("device_class", "timestamp")
                         .put("state_topic", topics.state())
                         .put("value_template", "{{ value_json.next_timer }}")
                         .put("json_attributes_topic", topics.state())
-                        .put("json_attributes_template", "{{ value_json.timers | tojson }}"));
+                        .put("json_attributes_template", "{{ value_json.timers | tojson }}")));
         ofState("sensor", "problem", "Problem");
         ofState("sensor", "last_failure", "Last failure");
         for (String each : List.of("handled", "ignored", "stale", "failed", "dropped", "refused")) {
@@ -147,24 +164,13 @@ final class HomeDiscovery {
                         .put("entity_category", DIAGNOSTIC));
     }
 
-    /** The vacuum, after which the device is named, with the commands that it offers. */
-    HomeDiscovery vacuum(Set<Vacuum.Order> commands) {
-        List<String> features = new ArrayList<>();
-        commands.forEach(command -> features.add(feature(command)));
-        features.add("status");
+    /** An entity, after which the device is named if it has no name of its own. */
+    HomeDiscovery entity(HomeEntity entity, HomeTable table) {
         return add(
-                "vacuum",
-                "vacuum",
-                null,
-                vacuum -> vacuum.put("state_topic", topics.vacuum())
-                        .put("command_topic", topics.vacuumCommand())
-                        .putTexts("supported_features", features));
-    }
-
-    private static String feature(Vacuum.Order command) {
-        return command == Vacuum.Order.RETURN_TO_BASE
-                ? "return_home"
-                : command.name().toLowerCase(Locale.ROOT);
+                entity.kind().word(),
+                entity.key(),
+                entity.name().isEmpty() ? null : entity.name(),
+                to -> new HomeNative(topics, entity, table).describe(to));
     }
 
     /** The differences of a shadow, and the button that promotes it. */
@@ -209,15 +215,15 @@ final class HomeDiscovery {
         });
     }
 
-    private void states(String key, String entity, Collection<State> states) {
+    private void states(String key, String entity, Collection<State> states, UnaryOperator<JsonObject> category) {
         add(
                 "sensor",
                 key,
                 entity,
-                sensor -> sensor.put("device_class", "enum")
+                sensor -> category.apply(sensor.put("device_class", "enum")
                         .putTexts("options", states.stream().map(State::name).toList())
                         .put("state_topic", topics.state())
-                        .put("value_template", "{{ value_json." + key + " }}"));
+                        .put("value_template", "{{ value_json." + key + " }}")));
     }
 
     private void ofState(String platform, String key, String entity) {

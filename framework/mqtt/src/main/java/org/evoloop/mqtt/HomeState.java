@@ -155,4 +155,9 @@ final class HomeState {
                 .put("source", "home assistant")
                 .put("why", why);
     }
+
+    /** That something has failed. */
+    static JsonObject failure(String type, String what) {
+        return new JsonObject().put("event_type", type).put("text", what);
+    }
 }

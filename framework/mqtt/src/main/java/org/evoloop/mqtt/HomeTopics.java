@@ -21,9 +21,29 @@ record HomeTopics(String id, String discovery) {
         return own("state");
     }
 
-    /** The vacuum's activity, as JSON. */
-    String vacuum() {
-        return own("vacuum");
+    /** What an entity shows, as JSON. */
+    String entity(String key) {
+        return own(key);
+    }
+
+    /** Takes a command for an entity. */
+    String command(String key) {
+        return own(key + "/set");
+    }
+
+    /** Takes the name of a mode for an entity. */
+    String mode(String key) {
+        return own(key + "/mode/set");
+    }
+
+    /** Takes the humidity that a humidifier is to reach. */
+    String humidity(String key) {
+        return own(key + "/humidity/set");
+    }
+
+    /** That something has failed, as JSON. */
+    String failure() {
+        return own("failure");
     }
 
     /** The converter's diagnostics, as JSON. */
@@ -54,11 +74,6 @@ record HomeTopics(String id, String discovery) {
     /** What became of each event that {@link #press} took, as JSON. */
     String outcome() {
         return own("outcome");
-    }
-
-    /** Takes a command for the vacuum. */
-    String vacuumCommand() {
-        return own("vacuum/set");
     }
 
     /** Takes {@code ON} and {@code OFF}: whether events are converted. */

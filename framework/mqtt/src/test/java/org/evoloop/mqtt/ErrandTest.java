@@ -17,7 +17,11 @@ class ErrandTest {
     private final List<String> pressed = new ArrayList<>();
 
     private Errand to(String goal) {
-        return new Errand(robot, Set.of("Clean", "Spot"), new State(goal), state -> true, pressed::add, 0);
+        return new Errand(
+                new Way(robot, Set.of("Clean", "Spot"), state -> true, false),
+                robot.alike(new State(goal)),
+                pressed::add,
+                0);
     }
 
     /** Makes the model follow each press at once, without waiting. */
@@ -78,13 +82,8 @@ class ErrandTest {
 
     @Test
     void itsWayAvoidsStatesThatMustNotBePassed() {
-        Errand errand = new Errand(
-                robot,
-                Set.of("Clean", "Spot"),
-                new State("Clean"),
-                state -> !state.name().equals("On"),
-                pressed::add,
-                0);
+        Way way = new Way(robot, Set.of("Clean", "Spot"), state -> !state.name().equals("On"), false);
+        Errand errand = new Errand(way, List.of(new State("Clean")), pressed::add, 0);
         assertThatThrownBy(() -> errand.step(new State("Off"), 0)).isInstanceOf(IllegalStateException.class);
         assertThat(pressed).isEmpty();
     }

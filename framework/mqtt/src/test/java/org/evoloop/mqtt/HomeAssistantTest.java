@@ -9,11 +9,10 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.Set;
 import org.evoloop.Logged;
 import org.evoloop.console.Console;
 import org.evoloop.console.NewModels;
-import org.evoloop.converter.ConverterStatus;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -23,13 +22,13 @@ import org.junit.jupiter.api.io.TempDir;
 class HomeAssistantTest {
     private static final Duration LIMIT = Duration.ofSeconds(20);
     private static final String STATE = "evoloop/lamp/state";
+    private static final String LIGHT = "evoloop/lamp/light";
     private static final String DECISION = "evoloop/lamp/decision";
     private static final String CONFIG = "homeassistant/device/evoloop_lamp/config";
 
     @TempDir
     private Path directory;
 
-    private final List<Vacuum.Order> obeyed = new CopyOnWriteArrayList<>();
     private Lamp lamp;
     private Mosquitto broker;
     private HomeAssistant home;
@@ -40,17 +39,7 @@ class HomeAssistantTest {
         lamp = new Lamp();
         broker = new Mosquitto(directory).start();
         home = new HomeAssistant(lamp.converter, BrokerAddress.parse(broker.url()))
-                .vacuum(new Vacuum() {
-                    @Override
-                    public Activity activity(ConverterStatus status) {
-                        return Activity.RETURNING;
-                    }
-
-                    @Override
-                    public void perform(Order command) {
-                        obeyed.add(command);
-                    }
-                })
+                .entity(HomeEntity.of(HomeKind.LIGHT).mode("warm", "incandescentOn"))
                 .choice(new Choice("Model", List.of("day", "night"), () -> "day", wanted -> {
                     throw new IllegalStateException("the model " + wanted + " is not there yet");
                 }));
@@ -72,15 +61,17 @@ class HomeAssistantTest {
         watcher.awaitNewest(CONFIG, "\"origin\"");
         watcher.awaitNewest(STATE, "\"battery\":93");
         watcher.awaitNewest("evoloop/lamp/diagnostics", "{");
-        watcher.awaitNewest("evoloop/lamp/vacuum", "{");
+        watcher.awaitNewest(LIGHT, "{");
         DiscoverySchema.check(
                 watcher.newest(CONFIG),
                 Map.of(
                         STATE,
                         watcher.newest(STATE),
                         "evoloop/lamp/diagnostics",
-                        watcher.newest("evoloop/lamp/diagnostics")));
-        assertThat(watcher.newest("evoloop/lamp/vacuum")).isEqualTo("{\"state\":\"returning\"}");
+                        watcher.newest("evoloop/lamp/diagnostics"),
+                        LIGHT,
+                        watcher.newest(LIGHT)),
+                Set.of("light", "model", "press_switch", "decision", "failure", "reading_battery", "reading_charging"));
     }
 
     @Test
@@ -151,8 +142,8 @@ class HomeAssistantTest {
         watcher.publish("evoloop/lamp/converting/set", "ON", false);
         watcher.publish("evoloop/lamp/press", "swich", false);
         watcher.awaitHeard(DECISION, "switch");
-        watcher.publish("evoloop/lamp/vacuum/set", "dance", false);
-        watcher.awaitHeard(DECISION, "does not know the command dance");
+        watcher.publish(LIGHT + "/set", "dance", false);
+        watcher.awaitHeard(DECISION, "does not know the command turn_dance");
         watcher.publish("evoloop/lamp/converting/set", "maybe", false);
         watcher.awaitHeard(DECISION, "ON or OFF");
         watcher.publish("evoloop/lamp/choice/model/set", "dusk", false);
@@ -186,7 +177,10 @@ class HomeAssistantTest {
                         "evoloop/lamp/diagnostics",
                         watcher.newest("evoloop/lamp/diagnostics"),
                         "evoloop/lamp/shadow",
-                        watcher.newest("evoloop/lamp/shadow")));
+                        watcher.newest("evoloop/lamp/shadow"),
+                        LIGHT,
+                        watcher.newest(LIGHT)),
+                Set.of("light", "promote", "shadow_different"));
         lamp.wallSwitch.press("switch");
         watcher.awaitNewest(STATE, "\"state\":\"incandescentOn\"");
         watcher.publish("evoloop/lamp/shadow/promote", "PROMOTE", false);
@@ -221,19 +215,49 @@ class HomeAssistantTest {
     }
 
     @Test
-    void theVacuumObeysItsCommandsAndNoneThatIsOld() throws Exception {
-        watcher.awaitNewest("evoloop/lamp/availability", "online");
-        watcher.publish("evoloop/lamp/vacuum/set", "return_to_base", true);
-        await().atMost(LIMIT).until(() -> obeyed.equals(List.of(Vacuum.Order.RETURN_TO_BASE)));
+    void anEntityObeysItsCommandsAndNoneThatIsOld() throws Exception {
+        lamp.converter.start();
+        watcher.awaitNewest(LIGHT, "{\"state\":\"off\",\"mode\":null}");
+        watcher.publish(LIGHT + "/set", "on", true);
+        watcher.awaitNewest(LIGHT, "{\"state\":\"on\",\"mode\":null}");
         try (Logged logged = new Logged("org.evoloop.mqtt");
                 BrokerConnection usurper = new BrokerConnection(BrokerAddress.parse(broker.url()), "evoloop-lamp")) {
             usurper.open();
             await().atMost(LIMIT)
                     .untilAsserted(() -> assertThat(logged.lines()).anyMatch(line -> line.contains("retained")));
         }
-        watcher.publish("evoloop/lamp/vacuum/set", "clean_spot", false);
-        await().atMost(LIMIT).until(() -> obeyed.contains(Vacuum.Order.CLEAN_SPOT));
-        assertThat(obeyed).hasSize(2);
+        watcher.publish(LIGHT + "/mode/set", "warm", false);
+        watcher.awaitNewest(LIGHT, "{\"state\":\"on\",\"mode\":\"warm\"}");
+        watcher.publish(LIGHT + "/set", "on", false);
+        watcher.publish(LIGHT + "/set", "off", false);
+        watcher.awaitNewest(LIGHT, "{\"state\":\"off\",\"mode\":null}");
+        assertThat(presses()).as("what is there already takes no press").isEqualTo(4);
+    }
+
+    /** Home Assistant switches a light on before it chooses an effect, without waiting in between. */
+    @Test
+    void commandsThatComeAtOnceAreObeyedInTheirOrder() throws Exception {
+        lamp.converter.start();
+        watcher.awaitNewest(LIGHT, "{\"state\":\"off\",\"mode\":null}");
+        watcher.publish(LIGHT + "/set", "on", false);
+        watcher.publish(LIGHT + "/mode/set", "warm", false);
+        watcher.awaitNewest(LIGHT, "\"mode\":\"warm\"");
+        assertThat(presses()).isEqualTo(3);
+    }
+
+    @Test
+    void whatAnEntityCannotDoIsRefusedInWordsAndIsAFailure() throws Exception {
+        watcher.awaitNewest("evoloop/lamp/availability", "online");
+        watcher.publish(LIGHT + "/mode/set", "blue", false);
+        watcher.awaitHeard(DECISION, "does not know the command effect blue");
+        watcher.awaitHeard("evoloop/lamp/failure", "\"event_type\":\"refused\"");
+        assertThat(presses()).isZero();
+    }
+
+    private long presses() {
+        return watcher.heard().stream()
+                .filter(line -> line.startsWith(DECISION + " ") && line.contains("\"source\":\"controller\""))
+                .count();
     }
 
     @Test

@@ -24,7 +24,7 @@ class HomeDiscoveryTest {
 
     @Test
     void everyEventHasItsOwnButton() {
-        discovery.converter(PaperModels.lightBulb(), EVENTS);
+        discovery.converter(PaperModels.lightBulb(), EVENTS, false);
         Set<String> pressed = new HashSet<>();
         Set<String> ids = new HashSet<>();
         components().properties().forEach(entity -> {

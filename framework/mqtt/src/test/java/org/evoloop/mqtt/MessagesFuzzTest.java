@@ -16,7 +16,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
-import org.evoloop.converter.ConverterStatus;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -32,7 +31,8 @@ class MessagesFuzzTest {
             "evoloop/lamp/press",
             "evoloop/lamp/converting/set",
             "evoloop/lamp/shadow/promote",
-            "evoloop/lamp/vacuum/set",
+            "evoloop/lamp/light/set",
+            "evoloop/lamp/light/mode/set",
             "evoloop/lamp/choice/model/set",
             "homeassistant/status",
             "wall/action",
@@ -58,17 +58,7 @@ class MessagesFuzzTest {
                 Lamp lamp = new Lamp();
                 BrokerAddress address = BrokerAddress.parse(broker.url());
                 HomeAssistant home = new HomeAssistant(lamp.converter, address)
-                        .vacuum(new Vacuum() {
-                            @Override
-                            public Activity activity(ConverterStatus status) {
-                                return Activity.IDLE;
-                            }
-
-                            @Override
-                            public void perform(Order command) {
-                                // A vacuum that obeys every command.
-                            }
-                        })
+                        .entity(HomeEntity.of(HomeKind.LIGHT).mode("warm", "incandescentOn"))
                         .choice(new Choice("Model", List.of("day", "night"), () -> "day", wanted -> {}))
                         .open();
                 BrokerConnection wall = new BrokerConnection(address, "wall");
@@ -125,8 +115,8 @@ class MessagesFuzzTest {
             publish("tick", next.getBytes(StandardCharsets.UTF_8), false);
             await(ticks, next);
             await(ticks, next);
-            String nonsense = "no vacuum does " + number;
-            publish("evoloop/lamp/vacuum/set", nonsense.getBytes(StandardCharsets.UTF_8), false);
+            String nonsense = "no light does " + number;
+            publish("evoloop/lamp/light/set", nonsense.getBytes(StandardCharsets.UTF_8), false);
             await(refusals, nonsense);
         }
 

@@ -4,10 +4,16 @@ import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
 import java.util.function.ToIntFunction;
 import org.evoloop.device.DeviceFile;
 import org.evoloop.device.DeviceProgram;
+import org.evoloop.device.HomeSection;
 import org.evoloop.device.Scenario;
+import org.evoloop.mqtt.HomeTable;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.testkit.ConverterHarness;
 
@@ -26,13 +32,17 @@ final class DeviceCheck {
     static int run(Path path, PrintStream out, ToIntFunction<List<String>> models) {
         DeviceFile file = DeviceFile.read(path, DeviceProgram.options());
         DeviceProgram.options().read(List.of(), file.options(), System.getenv());
-        if (!canBeBuilt(file, out)) {
+        Set<Event> controllerEvents = controllerEvents(file, out).orElse(null);
+        if (controllerEvents == null) {
             return 1;
         }
         List<String> check = new ArrayList<>(List.of("check"));
         check.addAll(file.references());
         file.properties().ifPresent(properties -> check.addAll(List.of("--properties", properties.toString())));
         boolean good = file.references().isEmpty() || models.applyAsInt(check) == 0;
+        for (HomeSection.Table table : file.home().tables(file.models(), controllerEvents)) {
+            good &= isAsItSays(table, path, out);
+        }
         for (Scenario scenario : file.scenarios()) {
             String failure = scenario.run(file);
             out.println((failure.isEmpty() ? "passed: " : "FAILED: ") + scenario.name());
@@ -44,16 +54,40 @@ final class DeviceCheck {
         return good ? 0 : 1;
     }
 
-    private static boolean canBeBuilt(DeviceFile file, PrintStream out) {
-        try {
-            ConverterHarness.of(file.knowledge(file.models()))
-                    .with(file.simulated())
-                    .start()
-                    .close();
-            return true;
+    /** Prints what the commands of an entity do; whether none would do something else than its name says. */
+    private static boolean isAsItSays(HomeSection.Table entity, Path path, PrintStream out) {
+        List<HomeTable.Row> rows = entity.table().rows();
+        out.println(entity.name() + " in Home Assistant:");
+        String columns = "  %-" + width(rows, HomeTable.Row::state) + "s  %-" + width(rows, HomeTable.Row::shown)
+                + "s  %-" + width(rows, HomeTable.Row::command) + "s  %s%n";
+        for (HomeTable.Row row : rows) {
+            out.printf(columns, row.state(), row.shown(), row.command(), row.text());
+        }
+        List<HomeTable.Row> wrong = rows.stream()
+                .filter(row -> row.deed() == HomeTable.Deed.OTHERWISE)
+                .toList();
+        for (HomeTable.Row row : wrong) {
+            out.println("  finding: " + path + ":" + entity.line() + ": " + entity.name() + ", " + row);
+        }
+        if (!wrong.isEmpty()) {
+            out.println("  fix: allow it there with never-in, or let it through with may-pass");
+        }
+        return wrong.isEmpty();
+    }
+
+    private static int width(List<HomeTable.Row> rows, Function<HomeTable.Row, String> column) {
+        return rows.stream().map(column).mapToInt(String::length).max().orElse(0) + 1;
+    }
+
+    /** The events that a controller may raise; empty if no converter can be built. */
+    private static Optional<Set<Event>> controllerEvents(DeviceFile file, PrintStream out) {
+        try (ConverterHarness converter = ConverterHarness.of(file.knowledge(file.models()))
+                .with(file.simulated())
+                .start()) {
+            return Optional.of(converter.converter().controllerEvents());
         } catch (ModelException unfit) {
             out.println("error: " + unfit.getMessage());
-            return false;
+            return Optional.empty();
         }
     }
 }

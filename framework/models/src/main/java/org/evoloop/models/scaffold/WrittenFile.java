@@ -265,6 +265,10 @@ public final class WrittenFile {
         StringBuilder tests = new StringBuilder();
         root.section("scenarios")
                 .ifPresent(all -> all.keys().forEach(name -> {
+                    if (all.listed(name.value()).stream().anyMatch(step -> step.has("command"))) {
+                        // The project does not have the entities of Home Assistant.
+                        return;
+                    }
                     String method = names.free(JavaNames.small(JavaNames.camel(name.value(), "Scenario")));
                     tests.append("\n    @Test\n    @DisplayName(").append(literal(name.value()));
                     tests.append(")\n    void ").append(method).append("() {\n");

@@ -193,4 +193,64 @@ class DeviceCommandsTest {
         assertThat(run("new", heater.toString(), option)).isEqualTo(2);
         assertThat(heater).doesNotExist();
     }
+
+    /** A garage door with one button, which stops it, and then turns it round. */
+    private Path garage(String entity) throws IOException {
+        Files.writeString(folder.resolve("models.md"), """
+            ```mermaid
+            ---
+            title: door
+            ---
+            stateDiagram-v2
+                [*] --> Closed
+                Closed --> Opening : button
+                Opening --> Stopped : button
+                Opening --> Open : «spontaneous» opened
+                Stopped --> Closing : button
+                Open --> Closing : button
+                Closing --> Between : button
+                Closing --> Closed : «spontaneous» closed
+                Between --> Opening : button
+            ```
+            """);
+        return Files.writeString(folder.resolve("garage.yaml"), """
+            converter: garage
+            models: {original: models.md#door, new: models.md#door}
+            connections: {door: {lines: "tcp://127.0.0.1:1"}}
+            device: {send: {button: B}, does: {o: opened, c: closed}}
+            home-assistant:
+              cover: %s
+            """.formatted(entity));
+    }
+
+    @Test
+    void aCommandOfAnEntityThatWouldDoSomethingElseIsAFindingOnItsLine() throws Exception {
+        assertThat(run("check", garage("{}").toString())).isEqualTo(1);
+        assertThat(printed())
+                .contains(
+                        "cover in Home Assistant:",
+                        "presses button, to Closing",
+                        "garage.yaml:6: cover, close in Between")
+                .contains("since it could lead through Opening, which is shown as opening");
+        printed.reset();
+        assertThat(run(
+                        "check",
+                        garage("{never-in: {Between: [close], Stopped: [open]}}")
+                                .toString()))
+                .isZero();
+        assertThat(printed()).contains("refused, never in Between").doesNotContain("finding:");
+    }
+
+    @Test
+    void aCommandThatEndsInTheContraryIsAMistake() throws Exception {
+        assertThat(run("check", garage("{commands: {close: Open}}").toString())).isEqualTo(2);
+        assertThat(errors()).contains("garage.yaml:6: 'close' of a cover would end in 'Open', which is shown as open");
+        assertThat(run(
+                        "check",
+                        garage("{states: {Opn: open}, modes: {a: Open}, nme: x}")
+                                .toString()))
+                .isEqualTo(2);
+        assertThat(errors())
+                .contains("'Opn' is not a state of the new model", "a cover has no modes", "'nme' is not known");
+    }
 }
