@@ -32,6 +32,9 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public final class Trust {
+    /** In place of a fingerprint that nobody has confirmed yet. */
+    private static final String ASK = "ask";
+
     private Trust() {}
 
     /**
@@ -76,15 +79,20 @@ public final class Trust {
     /**
      * Trusts only the certificate with this fingerprint, whoever signed it and whatever name it is for.
      *
-     * @param fingerprint its SHA-256 in hexadecimal digits, with or without colons
+     * @param fingerprint its SHA-256 in hexadecimal digits, with or without colons; {@value #ASK} while nobody has confirmed
+     *     one: then none is trusted, and the message says which was shown
      * @throws IllegalArgumentException if it is something else
      */
     public static TrustManagerFactory pinned(String fingerprint) {
+        if (fingerprint.equals(ASK)) {
+            return new PinnedFactory(new Pinned(new byte[0]));
+        }
         String digits = fingerprint.replace(":", "");
         if (!digits.matches("[0-9a-fA-F]{64}")) {
             throw new IllegalArgumentException(
                     "sha256=" + fingerprint + " is no fingerprint, which has 64 digits; this "
-                            + "shows it: openssl x509 -in FILE -noout -fingerprint -sha256");
+                            + "shows it: openssl x509 -in FILE -noout -fingerprint -sha256; or write sha256=" + ASK
+                            + ", and the first attempt to connect shows it");
         }
         return new PinnedFactory(new Pinned(HexFormat.of().parseHex(digits)));
     }
@@ -128,9 +136,15 @@ public final class Trust {
             } catch (NoSuchAlgorithmException impossible) {
                 throw new IllegalStateException(impossible);
             }
+            String digits = HexFormat.of().formatHex(shown);
+            if (wanted.length == 0) {
+                throw new CertificateException("nobody has confirmed it yet, its sha256 is " + digits
+                        + "; if it is the device's own, as a second look on another way shows (openssl s_client -connect "
+                        + "HOST:PORT </dev/null | openssl x509 -noout -fingerprint -sha256), write sha256=" + digits
+                        + " in place of sha256=" + ASK);
+            }
             if (!MessageDigest.isEqual(shown, wanted)) {
-                throw new CertificateException("it is not the pinned one, its sha256 is "
-                        + HexFormat.of().formatHex(shown));
+                throw new CertificateException("it is not the pinned one, its sha256 is " + digits);
             }
         }
 

@@ -312,6 +312,7 @@ public final class DeviceFile {
         private final Map<String, Effect.OfEvent> effects = new LinkedHashMap<>();
         private final Map<String, Integer> costs = new LinkedHashMap<>();
         private final Set<String> doNotPass = new LinkedHashSet<>();
+        private final Set<String> readings = new LinkedHashSet<>();
         private final List<Scenario> scenarios = new ArrayList<>();
         private final List<OptionLine> options = new ArrayList<>();
         private LearnSection learning = LearnSection.NONE;
@@ -336,7 +337,7 @@ public final class DeviceFile {
                 controller.done();
             });
             functionsAndEffects();
-            file.section("learn").ifPresent(learn -> learning = LearnSection.read(learn, models));
+            file.section("learn").ifPresent(learn -> learning = LearnSection.read(learn, models, readings));
             file.section("home-assistant").ifPresent(section -> home = HomeSection.read(section, models));
             file.section("scenarios").ifPresent(all -> scenarios.addAll(Scenario.read(all, models, home)));
             programOptions.names().forEach(this::option);
@@ -370,6 +371,7 @@ public final class DeviceFile {
             rules(device, "state", Connection::state);
             rules(device, "does", Connection::does);
             device.named("readings").forEach((reading, rule) -> {
+                readings.add(reading.value());
                 Connection from = connections.named(rule, "from");
                 if (from != null) {
                     from.reading(reading, rule);

@@ -14,6 +14,7 @@ import org.evoloop.mqtt.HomeEntity;
 import org.evoloop.mqtt.HomeKind;
 import org.evoloop.mqtt.HomeTable;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.Names;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -127,7 +128,16 @@ public final class HomeSection {
     private static HomeEntity entity(HomeKind kind, Section section, FileModels models) {
         HomeEntity entity = HomeEntity.of(kind);
         section.text("name").ifPresent(name -> entity.name(name.value()));
-        section.text("class").ifPresent(its -> entity.deviceClass(its.value()));
+        section.text("class").ifPresent(its -> {
+            if (!kind.deviceClasses().contains(its.value())) {
+                section.problems()
+                        .at(
+                                its,
+                                "'" + its + "' is no class of a " + kind.word()
+                                        + Names.hint(its.value(), kind.deviceClasses()));
+            }
+            entity.deviceClass(its.value());
+        });
         section.text("reading").ifPresent(reading -> entity.reading(reading.value()));
         section.pairs("states").forEach((state, as) -> entity.show(state.value(), as.value()));
         section.section("modes").ifPresent(modes -> {
@@ -144,7 +154,16 @@ public final class HomeSection {
         section.section("never-in").ifPresent(states -> {
             for (Node.Text state : states.keys()) {
                 models.evolvedState(state);
-                states.texts(state.value()).forEach(command -> entity.neverIn(state.value(), command.value()));
+                states.texts(state.value()).forEach(command -> {
+                    if (!entity.commandNames().contains(command.value())) {
+                        states.problems()
+                                .at(
+                                        command,
+                                        entity + " has no command '" + command + "'"
+                                                + Names.hint(command.value(), entity.commandNames()));
+                    }
+                    entity.neverIn(state.value(), command.value());
+                });
             }
             states.done();
         });

@@ -53,7 +53,8 @@ public record LearnSection(
         hours = List.copyOf(hours);
     }
 
-    static LearnSection read(Section learn, FileModels models) {
+    /** @param readings those that the file declares; a connection may have others if it declares none */
+    static LearnSection read(Section learn, FileModels models, Set<String> readings) {
         String home = learn.text("home").map(models::deviceState).orElse("");
         List<String> reset = new ArrayList<>();
         Set<String> never = new LinkedHashSet<>();
@@ -76,6 +77,13 @@ public record LearnSection(
         Map<String, Double> stops = new LinkedHashMap<>();
         learn.section("stop-above").ifPresent(limits -> {
             for (Node.Text reading : limits.keys()) {
+                if (!readings.isEmpty() && !readings.contains(reading.value())) {
+                    limits.problems()
+                            .at(
+                                    reading,
+                                    "'" + reading + "' is no reading of the device"
+                                            + Names.hint(reading.value(), readings));
+                }
                 limits.value(reading.value(), LearnSection::number)
                         .ifPresent(limit -> stops.put(reading.value(), limit));
             }

@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.net.ssl.TrustManagerFactory;
+import org.evoloop.config.Trust;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,5 +1,6 @@
 package org.evoloop.mqtt;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -167,6 +168,16 @@ public final class HomeEntity {
 
     Map<String, String> shownStates() {
         return shown;
+    }
+
+    /** The names of the commands that it can be given, with those of its modes. */
+    public List<String> commandNames() {
+        List<String> names = new ArrayList<>(kind.commands());
+        if (kind.hasModes() && kind != HomeKind.EVENT) {
+            modes.keySet().forEach(mode -> names.add(kind.modeWord() + " " + mode));
+            names.add(kind.modeWord() + " " + HomeTable.NO_MODE);
+        }
+        return names;
     }
 
     Map<String, Set<String>> modes() {

@@ -182,6 +182,20 @@ public enum HomeKind {
         return commands.keySet();
     }
 
+    /** The classes that Home Assistant knows for it, which choose its icon and words; none if it has no classes. */
+    public Set<String> deviceClasses() {
+        return switch (this) {
+            case COVER ->
+                Set.of("awning", "blind", "curtain", "damper", "door", "garage", "gate", "shade", "shutter", "window");
+            case SWITCH -> Set.of("outlet", "switch");
+            case HUMIDIFIER -> Set.of("dehumidifier", "humidifier");
+            case VALVE -> Set.of("gas", "water");
+            case BUTTON -> Set.of("identify", "restart", "update");
+            case EVENT -> Set.of("button", "doorbell", "motion");
+            default -> Set.of();
+        };
+    }
+
     @Nullable
     Command command(String name) {
         return commands.get(name);
