@@ -10,6 +10,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -32,6 +33,18 @@ class SettingsTest {
 
     private Path fan(String text) throws IOException {
         return Files.writeString(folder.resolve("fan.yaml"), text);
+    }
+
+    @Test
+    void aLineOfAnotherFileIsCheckedByItself() {
+        List<String> refused = new ArrayList<>();
+        Path file = Path.of("device.yaml");
+        FanOptions.ALL.check(
+                List.of(
+                        new OptionLine("start", List.of("true"), false, file, 2),
+                        new OptionLine("speed", List.of("fast"), false, file, 3)),
+                (line, message) -> refused.add(line + ": " + message));
+        assertThat(refused).singleElement().asString().startsWith("3: ").contains("fast");
     }
 
     @Test

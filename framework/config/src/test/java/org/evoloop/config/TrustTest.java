@@ -6,10 +6,14 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.InetAddress;
+import java.net.Socket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.KeyStore;
 import java.security.MessageDigest;
+import java.security.cert.CertificateException;
+import java.security.cert.CertificateFactory;
+import java.security.cert.X509Certificate;
 import java.util.Base64;
 import java.util.HexFormat;
 import java.util.List;
@@ -17,9 +21,11 @@ import java.util.Locale;
 import java.util.concurrent.CompletableFuture;
 import javax.net.ssl.KeyManagerFactory;
 import javax.net.ssl.SSLContext;
+import javax.net.ssl.SSLEngine;
 import javax.net.ssl.SSLServerSocket;
 import javax.net.ssl.SSLSocket;
 import javax.net.ssl.TrustManagerFactory;
+import javax.net.ssl.X509ExtendedTrustManager;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -121,6 +127,41 @@ class TrustTest {
         assertThatThrownBy(() -> meet(Trust.pinned("ask")))
                 .hasMessageContaining("nobody has confirmed it yet, its sha256 is " + fingerprint)
                 .hasMessageContaining("write sha256=" + fingerprint);
+    }
+
+    /** The JDK asks in one of these ways, by the kind of the connection. */
+    @Test
+    void theFingerprintAloneDecidesInEveryWay() throws Exception {
+        X509ExtendedTrustManager right = manager(fingerprint);
+        X509ExtendedTrustManager wrong = manager("0".repeat(64));
+        X509Certificate[] chain;
+        try (InputStream file = Files.newInputStream(certificate)) {
+            chain = new X509Certificate[] {
+                (X509Certificate) CertificateFactory.getInstance("X.509").generateCertificate(file)
+            };
+        }
+        List<Check> ways = List.of(
+                manager -> manager.checkServerTrusted(chain, "EC"),
+                manager -> manager.checkServerTrusted(chain, "EC", (Socket) null),
+                manager -> manager.checkServerTrusted(chain, "EC", (SSLEngine) null),
+                manager -> manager.checkClientTrusted(chain, "EC"),
+                manager -> manager.checkClientTrusted(chain, "EC", (Socket) null),
+                manager -> manager.checkClientTrusted(chain, "EC", (SSLEngine) null));
+        for (Check way : ways) {
+            way.by(right);
+            assertThatThrownBy(() -> way.by(wrong)).isInstanceOf(CertificateException.class);
+        }
+        assertThat(right.getAcceptedIssuers()).isEmpty();
+    }
+
+    private interface Check {
+        void by(X509ExtendedTrustManager manager) throws CertificateException;
+    }
+
+    private static X509ExtendedTrustManager manager(String pinned) throws Exception {
+        TrustManagerFactory factory = Trust.pinned(pinned);
+        factory.init((KeyStore) null);
+        return (X509ExtendedTrustManager) factory.getTrustManagers()[0];
     }
 
     @ParameterizedTest
