@@ -281,7 +281,6 @@ KNOWN = [
     typed("./evoloop check devices/air-conditioner/air-conditioner.yaml", shows="passed: boost ends after ten minutes"),
     typed("./evoloop check devices/octoprint/octoprint.yaml", shows="passed: without filament it waits for half an hour"),
     typed("./evoloop check devices/time-clock/time-clock.yaml", shows="passed: a second press takes it back"),
-    Known("touch stamps.txt", why_not="a file in the reader's folder"),
     typed("./evoloop check devices/valetudo/valetudo.yaml", shows="passed: a spot is cleaned, and then it docks"),
     typed("./evoloop check devices/roller-shutter/roller-shutter.yaml", shows="passed: the child lock"),
     typed("./evoloop check devices/wifi-roomba/wifi-roomba.yaml", shows="passed: a stop is resumed"),
@@ -329,6 +328,7 @@ KNOWN = [
     # Measurements.
     Known("./evoloop bench", why_not="takes 15 to 20 minutes; --quick does the same with fewer rounds"),
     typed("./evoloop bench --quick", slow=True, shows="decision"),
+    Known("./evoloop bench --only file", run="./evoloop bench --quick --only file", slow=True),
     Known("./evoloop bench --only ring", run="./evoloop bench --quick --only ring", slow=True),
     Known("./evoloop bench --json FILE", run="./evoloop bench --quick --only loading --json rows.json", slow=True),
     Known(
