@@ -2,6 +2,7 @@
 module org.evoloop.payload {
     requires static org.jspecify;
     requires transitive org.evoloop.core;
+    requires org.slf4j;
     requires tools.jackson.core;
 
     exports org.evoloop.payload;

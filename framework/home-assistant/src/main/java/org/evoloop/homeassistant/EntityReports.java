@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import org.evoloop.payload.report.Report;
+import org.evoloop.payload.report.Turns;
 
 /**
  * The reports of one value: it is reported when it changes, and when the entity is there again.
@@ -13,14 +14,16 @@ import org.evoloop.payload.report.Report;
  */
 final class EntityReports implements HomeEntities.Listener {
     private final EntityValue what;
+    private final Turns turns;
     private final List<Consumer<Report>> confirming = new CopyOnWriteArrayList<>();
     private final List<Consumer<Report>> events = new CopyOnWriteArrayList<>();
     private final List<Consumer<Report>> states = new CopyOnWriteArrayList<>();
     private String last = "";
     private Optional<String> value = Optional.empty();
 
-    EntityReports(EntityValue what) {
+    EntityReports(EntityValue what, Turns turns) {
         this.what = what;
+        this.turns = turns;
     }
 
     /** Hears each report before the others, so that a step is over before its result is found. */
@@ -44,25 +47,24 @@ final class EntityReports implements HomeEntities.Listener {
         value = said;
         last = now.state();
         if (isNews) {
-            tell(old, confirming);
-            tell(old, events);
-            tell(old, states);
+            tell(old, List.of(confirming, events, states));
         }
     }
 
-    private void tell(boolean old, List<Consumer<Report>> consumers) {
-        value.ifPresent(text -> consumers.forEach(each -> each.accept(new Report(text, old))));
+    private void tell(boolean old, List<List<Consumer<Report>>> consumers) {
+        value.map(text -> new Report(text, old))
+                .ifPresent(report ->
+                        turns.take(() -> consumers.forEach(some -> some.forEach(each -> each.accept(report)))));
     }
 
     /** Tells those that wait for a confirmation what it is now. */
     synchronized void confirm() {
-        tell(false, confirming);
+        tell(false, List.of(confirming));
     }
 
     /** Tells what it is now as an answer; it is no event. */
     synchronized void answer() {
-        tell(false, confirming);
-        tell(false, states);
+        tell(false, List.of(confirming, states));
     }
 
     @Override

@@ -28,6 +28,7 @@ import org.evoloop.converter.UnknownEffectException;
 import org.evoloop.evolution.Values;
 import org.evoloop.payload.JsonObject;
 import org.evoloop.payload.JsonRecord;
+import org.evoloop.payload.report.Turns;
 import org.evoloop.time.Attempts;
 import org.evoloop.time.Threads;
 import org.jspecify.annotations.Nullable;
@@ -61,6 +62,7 @@ public final class HomeConnection implements DeviceLink, AutoCloseable {
     private static final Duration END_LIMIT = Duration.ofSeconds(3);
 
     private final HomeAddress address;
+    private final Turns turns = new Turns();
     private final Supplier<String> token;
     private final HttpClient client;
     private final HomeEntities entities = new HomeEntities();
@@ -111,6 +113,11 @@ public final class HomeConnection implements DeviceLink, AutoCloseable {
     public HomeConnection shownAs(String id) {
         own.add(id.replaceAll("[^A-Za-z0-9_-]", "_"));
         return this;
+    }
+
+    /** In which reports are heard; what a timer says of them is said there, too. */
+    Turns turns() {
+        return turns;
     }
 
     /** Sets who hears of an entity; before {@link #open}. */
@@ -279,7 +286,7 @@ public final class HomeConnection implements DeviceLink, AutoCloseable {
         try {
             made.ask(JsonRecord.of(what.request()).copy(), event -> {
                 String text = event.inner(what.part()).orElse(event).copy().toString();
-                what.consumers().forEach(each -> each.accept(text));
+                turns.take(() -> what.consumers().forEach(each -> each.accept(text)));
             });
             entities.isRight(what.request());
         } catch (HomeException refused) {

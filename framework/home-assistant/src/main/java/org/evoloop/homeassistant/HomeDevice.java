@@ -23,6 +23,7 @@ import org.evoloop.payload.Readings;
 import org.evoloop.payload.report.Aftermath;
 import org.evoloop.payload.report.Report;
 import org.evoloop.payload.report.ReportingDevice;
+import org.evoloop.payload.report.Turns;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
@@ -90,7 +91,7 @@ public final class HomeDevice implements DeviceLink {
     /** The reports of a value. */
     synchronized EntityReports reports(EntityValue what) {
         return values.computeIfAbsent(what, first -> {
-            EntityReports made = new EntityReports(what);
+            EntityReports made = new EntityReports(what, connection.turns());
             connection.listen(what.entity(), made);
             return made;
         });
@@ -148,6 +149,11 @@ public final class HomeDevice implements DeviceLink {
             }
 
             @Override
+            public Turns turns() {
+                return connection.turns();
+            }
+
+            @Override
             public boolean isUp() {
                 return HomeDevice.this.isUp();
             }
@@ -183,7 +189,7 @@ public final class HomeDevice implements DeviceLink {
      */
     synchronized Aftermath aftermath(String source) {
         return aftermaths.computeIfAbsent(source, first -> {
-            Aftermath made = new Aftermath();
+            Aftermath made = new Aftermath(connection.turns());
             whenLost.add(why -> made.isLost());
             return made;
         });

@@ -1,6 +1,5 @@
 package org.evoloop.homeassistant;
 
-import java.io.IOException;
 import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -8,7 +7,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import org.evoloop.converter.EventExecute;
-import org.evoloop.converter.UnknownEffectException;
 import org.evoloop.evolution.Step;
 import org.evoloop.payload.JsonRecord;
 import org.evoloop.payload.Meanings;
@@ -99,7 +97,7 @@ public class HomeExecute extends EventExecute {
     }
 
     @Override
-    protected void send(Step step) throws IOException, InterruptedException {
+    protected void send(Step step) throws Exception {
         ServiceCall call = calls.get(step.event().name());
         if (call == null) {
             throw new IllegalArgumentException(name() + " has no service for " + step.event());
@@ -108,8 +106,7 @@ public class HomeExecute extends EventExecute {
         call.request(values());
         sending.requireUp(step.event().toString());
         try {
-            // No report tells that a step that leads back to its state has been carried out.
-            if (sending.isConfirmed() && !step.source().equals(step.target())) {
+            if (sending.isConfirmed(step)) {
                 sending.send(step, call.toString(), pending -> send(call, pending), this::tookEffect);
             } else {
                 device.connection().carryOut(call, values());
@@ -135,7 +132,7 @@ public class HomeExecute extends EventExecute {
     }
 
     @Override
-    protected Optional<String> locate() throws UnknownEffectException, InterruptedException {
+    protected Optional<String> locate() throws Exception {
         if (!sending.isConfirmed()) {
             return Optional.empty();
         }

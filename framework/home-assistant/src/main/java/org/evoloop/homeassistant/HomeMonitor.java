@@ -48,9 +48,10 @@ public class HomeMonitor extends PushMonitor {
     public HomeMonitor(String name, HomeDevice device) {
         super(name);
         this.device = device;
-        this.events = new ReportRules(device.clock(), this::subscribe);
+        this.events = new ReportRules(device.clock(), device.connection().turns(), this::subscribe);
         this.states = new ReportRules(
                 device.clock(),
+                device.connection().turns(),
                 (source, consumer) -> device.reports(value(source)).addState(consumer));
     }
 

@@ -18,6 +18,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.evoloop.converter.DeviceLink;
+import org.evoloop.payload.report.Aftermath;
+import org.evoloop.payload.report.Turns;
 import org.evoloop.time.Attempts;
 import org.evoloop.time.Threads;
 import org.jspecify.annotations.Nullable;
@@ -100,7 +102,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
     synchronized Aftermath aftermath(String topic) {
         return aftermaths.computeIfAbsent(topic, first -> {
             Aftermath made = new Aftermath(turns);
-            subscribeFirst(topic, made::receives);
+            subscribeFirst(topic, message -> made.receives(message.report()));
             return made;
         });
     }

@@ -1,5 +1,7 @@
 package org.evoloop.mqtt;
 
+import org.evoloop.payload.report.Report;
+
 /**
  * A message to publish, or a received one.
  *
@@ -23,6 +25,11 @@ public record Message(String topic, String payload, Kind kind) {
         EVENT,
         /** It is published now or never. */
         COMMAND
+    }
+
+    /** What it reports; what the broker has retained is old. */
+    Report report() {
+        return new Report(payload, kind == Kind.STATE);
     }
 
     /** The state of something: retained by the broker. */

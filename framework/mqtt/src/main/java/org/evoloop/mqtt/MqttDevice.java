@@ -12,6 +12,10 @@ import org.evoloop.function.Reading;
 import org.evoloop.payload.Match;
 import org.evoloop.payload.Part;
 import org.evoloop.payload.Readings;
+import org.evoloop.payload.report.Aftermath;
+import org.evoloop.payload.report.Report;
+import org.evoloop.payload.report.ReportingDevice;
+import org.evoloop.payload.report.Turns;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
@@ -97,6 +101,46 @@ public final class MqttDevice implements DeviceLink {
     private void lost(String why) {
         readings.clear();
         whenLost.forEach(action -> action.accept(why));
+    }
+
+    /** It, as what reports its state on topics. */
+    ReportingDevice reporting() {
+        return new ReportingDevice() {
+            @Override
+            public Clock clock() {
+                return clock;
+            }
+
+            @Override
+            public Turns turns() {
+                return connection.turns();
+            }
+
+            @Override
+            public boolean isUp() {
+                return MqttDevice.this.isUp();
+            }
+
+            @Override
+            public String describe() {
+                return MqttDevice.this.describe();
+            }
+
+            @Override
+            public void subscribeFirst(String topic, Consumer<Report> consumer) {
+                connection.subscribeFirst(topic, message -> consumer.accept(message.report()));
+            }
+
+            @Override
+            public Aftermath aftermath(String topic) {
+                return connection.aftermath(topic);
+            }
+
+            @Override
+            public void onLost(Consumer<String> action) {
+                MqttDevice.this.onLost(action);
+            }
+        };
     }
 
     BrokerConnection connection() {

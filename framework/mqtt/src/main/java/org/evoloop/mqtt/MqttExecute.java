@@ -2,16 +2,15 @@ package org.evoloop.mqtt;
 
 import java.time.Duration;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.evoloop.converter.EventExecute;
-import org.evoloop.converter.UnknownEffectException;
 import org.evoloop.evolution.Step;
 import org.evoloop.payload.Meanings;
 import org.evoloop.payload.Rest;
 import org.evoloop.payload.Template;
+import org.evoloop.payload.report.ConfirmedSending;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
@@ -41,17 +40,7 @@ import org.jspecify.annotations.Nullable;
 public class MqttExecute extends EventExecute {
     private final MqttDevice device;
     private final Map<String, Command> commands = new LinkedHashMap<>();
-    private final Reports confirmations;
-    private final Reports answers;
-    private final Set<Aftermath> aftermaths = new LinkedHashSet<>();
-
-    /** The state to which the last step leads, if it was not confirmed; else empty. */
-    private volatile String awaited = "";
-
-    /** Until when it may still have its effect. */
-    private volatile long untilNanos;
-
-    private @Nullable Duration confirmed;
+    private final ConfirmedSending sending;
     private @Nullable Question question;
     private Rest rest;
 
@@ -60,10 +49,10 @@ public class MqttExecute extends EventExecute {
      *
      * @param what for messages
      */
-    private record Command(String what, Sending how) {}
+    private record Command(String what, HowToSend how) {}
 
     /** Sends an event. */
-    private interface Sending {
+    private interface HowToSend {
         void send(Step step) throws Exception;
     }
 
@@ -83,12 +72,11 @@ public class MqttExecute extends EventExecute {
             commands.put(
                     event,
                     new Command(
-                            "the message to " + message.topic(),
+                            to(message),
                             step -> device.connection()
                                     .publish(new Message(message.topic(), payload.with(values()), message.kind()))));
         });
-        this.confirmations = new Reports(device);
-        this.answers = new Reports(device);
+        this.sending = new ConfirmedSending(device.reporting());
         this.rest = new Rest(device.clock(), Duration.ZERO);
     }
 
@@ -102,9 +90,7 @@ public class MqttExecute extends EventExecute {
      * @param limit the time limit from publishing to the report
      */
     public final MqttExecute confirmedBy(String topic, Meanings states, Duration limit) {
-        aftermaths.add(device.connection().aftermath(topic));
-        confirmations.subscribe(topic, states);
-        confirmed = Clock.requireDelay(limit);
+        sending.confirmedBy(topic, states, limit);
         return this;
     }
 
@@ -128,8 +114,7 @@ public class MqttExecute extends EventExecute {
      * @param limit the time limit for the answer
      */
     public final MqttExecute asking(Message question, String topic, Meanings states, Duration limit) {
-        aftermaths.add(device.connection().aftermath(topic));
-        answers.subscribe(topic, states);
+        sending.answeredBy(topic, states);
         this.question = new Question(question, Clock.requireDelay(limit));
         return this;
     }
@@ -156,52 +141,20 @@ public class MqttExecute extends EventExecute {
         if (command == null) {
             throw new IllegalArgumentException(name() + " has no message for " + step.event());
         }
-        requireUp(step.event().toString());
-        Duration limit = confirmed;
+        sending.requireUp(step.event().toString());
         try {
-            if (limit == null || step.source().equals(step.target())) {
+            if (sending.isConfirmed(step)) {
+                sending.send(step, command.what(), pending -> command.how().send(step), this::tookEffect);
+            } else {
                 command.how().send(step);
-                return;
             }
-            sendConfirmed(step, command, limit);
         } finally {
             rest.begin();
         }
     }
 
-    private void sendConfirmed(Step step, Command command, Duration limit) throws Exception {
-        awaited = step.target().name();
-        aftermaths.forEach(each -> each.sends(step.source().name(), awaited));
-        try {
-            confirmations.await(command.what(), () -> command.how().send(step), awaited, limit, this::isConfirmed);
-        } catch (UnknownEffectException | InterruptedException unknown) {
-            leaveUnknown(limit);
-            throw unknown;
-        } catch (Exception unsent) {
-            settle();
-            throw unsent;
-        }
-    }
-
-    private void leaveUnknown(Duration limit) {
-        untilNanos = device.clock().nanoTime() + limit.toNanos();
-        aftermaths.forEach(each -> each.isUnknown(awaited, device.clock(), limit));
-    }
-
-    private void isConfirmed() {
-        settle();
-        tookEffect();
-    }
-
-    private void settle() {
-        awaited = "";
-        aftermaths.forEach(Aftermath::settled);
-    }
-
-    private void requireUp(String what) {
-        if (!device.isUp()) {
-            throw new IllegalStateException(device.describe() + "; so " + what + " was not sent");
-        }
+    private static String to(Message message) {
+        return "the message to " + message.topic();
     }
 
     @Override
@@ -212,14 +165,14 @@ public class MqttExecute extends EventExecute {
         }
         if (!device.isUp()) {
             // What the broker has retained meanwhile may be old, and is no answer.
-            leaveUnknown(asked.limit());
+            sending.isUnknown(asked.limit());
             device.connection()
                     .publish(Message.event(
                             asked.message().topic(), asked.message().payload()));
         }
-        requireUp("the question for its state");
-        long left =
-                awaited.isEmpty() ? 0 : Math.max(0, untilNanos - device.clock().nanoTime());
-        return Optional.of(answers.ask(asked.message(), awaited, Duration.ofNanos(left), asked.limit(), this::settle));
+        sending.requireUp("the question for its state");
+        Message question = asked.message();
+        return Optional.of(
+                sending.ask(to(question), pending -> device.connection().publish(question), asked.limit()));
     }
 }

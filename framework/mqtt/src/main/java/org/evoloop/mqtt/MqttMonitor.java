@@ -14,6 +14,8 @@ import org.evoloop.evolution.EventOutcome;
 import org.evoloop.evolution.Values;
 import org.evoloop.payload.Inference;
 import org.evoloop.payload.Meanings;
+import org.evoloop.payload.report.Aftermath;
+import org.evoloop.payload.report.ReportRules;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
@@ -38,7 +40,7 @@ import org.jspecify.annotations.Nullable;
  */
 public class MqttMonitor extends PushMonitor {
     private final BrokerConnection connection;
-    private final TopicRules rules;
+    private final ReportRules rules;
     private final Set<String> devicesOwn = new LinkedHashSet<>();
     private @Nullable Fence fence;
     private @Nullable Inference inference;
@@ -60,7 +62,10 @@ public class MqttMonitor extends PushMonitor {
     private MqttMonitor(String name, BrokerConnection connection, @Nullable Clock clock) {
         super(name);
         this.connection = connection;
-        this.rules = new TopicRules(clock, connection.turns(), connection::subscribe);
+        this.rules = new ReportRules(
+                clock,
+                connection.turns(),
+                (topic, heard) -> connection.subscribe(topic, message -> heard.accept(message.report())));
     }
 
     /**
@@ -74,7 +79,7 @@ public class MqttMonitor extends PushMonitor {
 
     /** As {@link #controller(String, Map)}, with JSON, patterns and values. */
     public final MqttMonitor controller(String topic, Meanings events) {
-        rules.add(topic, events, TopicRules.Use.EVENT, event -> {
+        rules.add(topic, events, ReportRules.Use.EVENT, event -> {
             if (fence == null || fence.isPassed()) {
                 hear(event.name(), event.values());
             }
@@ -112,7 +117,7 @@ public class MqttMonitor extends PushMonitor {
     /** As {@link #device(String, Map)}, with JSON, patterns and values. */
     public final MqttMonitor device(String topic, Meanings events) {
         devicesOwn.addAll(events.names());
-        rules.add(topic, events, TopicRules.Use.EVENT, event -> push(fromDevice(event.name(), event.values())));
+        rules.add(topic, events, ReportRules.Use.EVENT, event -> push(fromDevice(event.name(), event.values())));
         return this;
     }
 
@@ -131,7 +136,7 @@ public class MqttMonitor extends PushMonitor {
     public final MqttMonitor found(String topic, Meanings states) {
         Aftermath aftermath = connection.aftermath(topic);
         Consumer<String> found = this::locate;
-        rules.add(topic, states, TopicRules.Use.STATE, state -> aftermath.hear(state.name(), found));
+        rules.add(topic, states, ReportRules.Use.STATE, state -> aftermath.hear(state.name(), found));
         return this;
     }
 

@@ -22,6 +22,7 @@ public final class Aftermath {
     /** What follows from the state, if it is reported when nothing is unknown. */
     private final Map<Consumer<String>, String> held = new LinkedHashMap<>();
 
+    private final Turns turns;
     private volatile boolean old;
     private boolean sending;
     private boolean unknown;
@@ -29,8 +30,14 @@ public final class Aftermath {
     private String target = "";
     private Clock.@Nullable Timer timer;
 
-    /** Nothing is unknown. */
-    public Aftermath() {}
+    /**
+     * Nothing is unknown.
+     *
+     * @param turns those of the reports
+     */
+    public Aftermath(Turns turns) {
+        this.turns = turns;
+    }
 
     /** A report has come; what it says is heard next. */
     public void receives(Report report) {
@@ -55,7 +62,7 @@ public final class Aftermath {
         unknown = true;
         target = to;
         stopTimer();
-        timer = clock.schedule(limit, this::over);
+        timer = clock.schedule(limit, () -> turns.take(this::over));
     }
 
     /** The device's state is known. */

@@ -68,7 +68,7 @@ final class Confirmations {
      *
      * @param what for messages
      */
-    record Sent(String what, Consumer<Pending> sending) {}
+    record Sent(String what, Sending sending) {}
 
     /** The device has not taken what was sent, so it has no effect. */
     static final class Refused extends IllegalStateException {
@@ -82,7 +82,7 @@ final class Confirmations {
     Confirmations(ReportingDevice device) {
         this.device = device;
         // Before a monitor, so that a step is over before its result is found.
-        this.rules = new ReportRules(device.clock(), device::subscribeFirst);
+        this.rules = new ReportRules(device.clock(), device.turns(), device::subscribeFirst);
         device.onLost(why -> fail(current, why));
     }
 
@@ -109,11 +109,11 @@ final class Confirmations {
      *
      * @param then run when it is reported, before anybody else hears of it
      * @throws UnknownEffectException if there is none within the limit, or the device is lost meanwhile
+     * @throws Exception as {@link Sending}
      */
-    String await(Sent sent, String wanted, Duration limit, Runnable then)
-            throws UnknownEffectException, InterruptedException {
+    void await(Sent sent, String wanted, Duration limit, Runnable then) throws Exception {
         Wait wait = new Wait(wanted, then);
-        return await(sent, wait, limit, wait::fail);
+        await(sent, wait, limit, wait::fail);
     }
 
     /**
@@ -121,12 +121,13 @@ final class Confirmations {
      *
      * @param wanted the state that counts whenever it is reported
      * @param from when others count, too; then the newest does, if one has been reported
+     * @param then run when it is answered, before anybody else hears of it
      * @throws UnknownEffectException if there is none within the limit, or the device is lost meanwhile
+     * @throws Exception as {@link Sending}
      */
-    String ask(Sent question, String wanted, Duration from, Duration limit)
-            throws UnknownEffectException, InterruptedException {
-        Wait wait = new Wait(wanted, () -> {});
-        Clock.Timer later = device.clock().schedule(from, wait::takeAny);
+    String ask(Sent question, String wanted, Duration from, Duration limit, Runnable then) throws Exception {
+        Wait wait = new Wait(wanted, then);
+        Clock.Timer later = device.clock().schedule(from, () -> device.turns().take(wait::takeAny));
         try {
             return await(question, wait, limit, late -> {
                 if (!wait.isAboutToTakeOne()) {
@@ -138,13 +139,12 @@ final class Confirmations {
         }
     }
 
-    private String await(Sent sent, Wait wait, Duration limit, Consumer<String> onLimit)
-            throws UnknownEffectException, InterruptedException {
+    private String await(Sent sent, Wait wait, Duration limit, Consumer<String> onLimit) throws Exception {
         String late = "the device has not reported within " + limit.toMillis() + " ms what became of " + sent.what();
         Clock.Timer timer = device.clock().schedule(limit, () -> onLimit.accept(late));
         current = wait;
         try {
-            sent.sending().accept(wait);
+            sent.sending().send(wait);
             return wait.state.get();
         } catch (ExecutionException none) {
             Throwable cause = none.getCause();

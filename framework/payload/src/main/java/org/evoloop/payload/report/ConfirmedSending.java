@@ -3,11 +3,9 @@ package org.evoloop.payload.report;
 import java.time.Duration;
 import java.util.LinkedHashSet;
 import java.util.Set;
-import java.util.function.Consumer;
 import org.evoloop.converter.UnknownEffectException;
 import org.evoloop.evolution.Step;
 import org.evoloop.payload.Meanings;
-import org.evoloop.payload.report.Confirmations.Refused;
 import org.evoloop.payload.report.Confirmations.Sent;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
@@ -71,9 +69,14 @@ public final class ConfirmedSending {
         }
     }
 
-    /** Whether the device reports what becomes of a step. */
+    /** Whether the device reports its state. */
     public boolean isConfirmed() {
         return limit != null;
+    }
+
+    /** Whether the device reports what becomes of this step; it reports nothing if the state stays as it is. */
+    public boolean isConfirmed(Step step) {
+        return isConfirmed() && !step.source().equals(step.target());
     }
 
     /**
@@ -83,9 +86,9 @@ public final class ConfirmedSending {
      * @param tookEffect run when it is confirmed, before anybody else hears of the report
      * @throws UnknownEffectException if it is not confirmed within the limit, or the device is lost meanwhile
      * @throws IllegalStateException if it was {@linkplain Pending#refuse refused}, or nothing confirms it
+     * @throws Exception as {@code sending}
      */
-    public void send(Step step, String what, Consumer<Pending> sending, Runnable tookEffect)
-            throws UnknownEffectException, InterruptedException {
+    public void send(Step step, String what, Sending sending, Runnable tookEffect) throws Exception {
         Duration within = limit;
         if (within == null) {
             throw new IllegalStateException("nothing confirms " + what);
@@ -97,13 +100,12 @@ public final class ConfirmedSending {
                 settle();
                 tookEffect.run();
             });
-        } catch (Refused refused) {
+        } catch (UnknownEffectException | InterruptedException unknown) {
+            isUnknown(within);
+            throw unknown;
+        } catch (Exception unsent) {
             settle();
-            throw refused;
-        } finally {
-            if (!awaited.isEmpty()) {
-                isUnknown(within);
-            }
+            throw unsent;
         }
     }
 
@@ -120,14 +122,12 @@ public final class ConfirmedSending {
      * @param what is asked, for messages
      * @param within the time limit for the answer
      * @throws UnknownEffectException if there is none within the limit, or the device is lost meanwhile
+     * @throws Exception as {@code asking}
      */
-    public String ask(String what, Consumer<Pending> asking, Duration within)
-            throws UnknownEffectException, InterruptedException {
+    public String ask(String what, Sending asking, Duration within) throws Exception {
         long left =
                 awaited.isEmpty() ? 0 : Math.max(0, untilNanos - device.clock().nanoTime());
-        String answer = answers.ask(new Sent(what, asking), awaited, Duration.ofNanos(left), within);
-        settle();
-        return answer;
+        return answers.ask(new Sent(what, asking), awaited, Duration.ofNanos(left), within, this::settle);
     }
 
     private void settle() {

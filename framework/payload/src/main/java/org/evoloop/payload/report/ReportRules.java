@@ -21,6 +21,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class ReportRules {
     private final @Nullable Clock clock;
+    private final Turns turns;
     private final BiConsumer<String, Consumer<Report>> subscribe;
     private final Map<String, List<Rule>> rules = new HashMap<>();
     private final List<Held> states = new CopyOnWriteArrayList<>();
@@ -39,10 +40,12 @@ public final class ReportRules {
      * No rules so far.
      *
      * @param clock null if no meaning has to hold for a time
+     * @param turns those of the reports
      * @param subscribe is called once for each source, with what hears its reports
      */
-    public ReportRules(@Nullable Clock clock, BiConsumer<String, Consumer<Report>> subscribe) {
+    public ReportRules(@Nullable Clock clock, Turns turns, BiConsumer<String, Consumer<Report>> subscribe) {
         this.clock = clock;
+        this.turns = turns;
         this.subscribe = subscribe;
     }
 
@@ -65,7 +68,7 @@ public final class ReportRules {
     }
 
     private Held held(String source, Meanings meanings, Use use, Consumer<Meanings.Meaning> told) {
-        Held held = new Held(requireClock(source), meanings, use, told);
+        Held held = new Held(requireClock(source), turns, meanings, use, told);
         if (use != Use.EVENT) {
             states.add(held);
         }
@@ -106,14 +109,16 @@ public final class ReportRules {
     /** Passes on what has held for a time: a state whenever it is reported, an event once, when that has begun. */
     private static final class Held {
         private final Clock clock;
+        private final Turns turns;
         private final Steady steady;
         private final Use use;
         private final Consumer<Meanings.Meaning> then;
         private @Nullable String last;
         private Clock.@Nullable Timer timer;
 
-        Held(Clock clock, Meanings meanings, Use use, Consumer<Meanings.Meaning> then) {
+        Held(Clock clock, Turns turns, Meanings meanings, Use use, Consumer<Meanings.Meaning> then) {
             this.clock = clock;
+            this.turns = turns;
             this.steady = new Steady(clock, meanings.lasting());
             this.use = use;
             this.then = then;
@@ -145,7 +150,7 @@ public final class ReportRules {
             if (steady.left().isZero()) {
                 return now;
             }
-            now.ifPresent(meaning -> timer = clock.schedule(steady.left(), () -> settle(meaning)));
+            now.ifPresent(meaning -> timer = clock.schedule(steady.left(), () -> turns.take(() -> settle(meaning))));
             return Optional.empty();
         }
 

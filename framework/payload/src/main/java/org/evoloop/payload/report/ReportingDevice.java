@@ -14,6 +14,9 @@ public interface ReportingDevice {
     /** Measures limits and pauses. */
     Clock clock();
 
+    /** Those in which its reports are heard. */
+    Turns turns();
+
     /** Whether it can be reached. */
     boolean isUp();
 

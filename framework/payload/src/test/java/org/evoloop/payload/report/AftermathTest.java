@@ -16,7 +16,7 @@ class AftermathTest {
     private final ManualClock clock = new ManualClock();
     private final List<String> told = new ArrayList<>();
     private final Consumer<String> monitor = told::add;
-    private final Aftermath aftermath = new Aftermath();
+    private final Aftermath aftermath = new Aftermath(new Turns());
 
     @AfterEach
     void close() {

@@ -3,6 +3,7 @@ package org.evoloop.payload.report;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -39,11 +40,17 @@ class ConfirmedSendingTest {
         private final Map<String, Aftermath> aftermaths = new HashMap<>();
         private final List<Consumer<Report>> consumers = new ArrayList<>();
         private final List<Consumer<String>> losses = new ArrayList<>();
+        private final Turns turns = new Turns();
         private boolean isUp = true;
 
         @Override
         public ManualClock clock() {
             return clock;
+        }
+
+        @Override
+        public Turns turns() {
+            return turns;
         }
 
         @Override
@@ -63,7 +70,7 @@ class ConfirmedSendingTest {
 
         @Override
         public Aftermath aftermath(String source) {
-            return aftermaths.computeIfAbsent(source, first -> new Aftermath());
+            return aftermaths.computeIfAbsent(source, first -> new Aftermath(turns));
         }
 
         @Override
@@ -92,7 +99,7 @@ class ConfirmedSendingTest {
         clock.close();
     }
 
-    private void send(Consumer<Pending> how) throws UnknownEffectException, InterruptedException {
+    private void send(Sending how) throws Exception {
         sending.send(SWITCH_ON, "the switch", how, () -> effects.add("on"));
     }
 
@@ -129,6 +136,25 @@ class ConfirmedSendingTest {
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessage("the child lock is on");
         assertThat(effects).isEmpty();
+    }
+
+    @Test
+    void whatCouldNotBeSentHasNoEffect() {
+        assertThatThrownBy(() -> send(pending -> {
+                    throw new IOException("the cable is out");
+                }))
+                .isInstanceOf(IOException.class)
+                .hasMessage("the cable is out");
+        assertThat(effects).isEmpty();
+    }
+
+    @Test
+    void noReportTellsOfAStepThatLeavesTheState() {
+        State on = new State("on");
+        Event set = new Event("set");
+        assertThat(sending.isConfirmed(SWITCH_ON)).isTrue();
+        assertThat(sending.isConfirmed(new Step(new Transition(on, set, on), set, false, false)))
+                .isFalse();
     }
 
     @Test

@@ -25,7 +25,8 @@ class ReportRulesTest {
     private final ManualClock clock = new ManualClock();
     private final Map<String, Consumer<Report>> subscribed = new HashMap<>();
     private final List<String> heard = new ArrayList<>();
-    private final ReportRules rules = new ReportRules(clock, subscribed::put);
+    private final Turns turns = new Turns();
+    private final ReportRules rules = new ReportRules(clock, turns, subscribed::put);
 
     @AfterEach
     void close() {
@@ -50,6 +51,18 @@ class ReportRulesTest {
         says("50");
         subscribed.get(POWER).accept(new Report("1", true));
         assertThat(heard).containsExactly("Off", "Heating", "Any");
+    }
+
+    @Test
+    void whatAReportEndsIsNotReportedByATimerThatIsDueMeanwhile() {
+        add(LOW.lasting(SECOND), ReportRules.Use.STATE);
+        add(HIGH, ReportRules.Use.STATE);
+        says("1");
+        turns.take(() -> {
+            clock.advance(SECOND);
+            says("200");
+        });
+        assertThat(heard).containsExactly("Heating");
     }
 
     @Test
@@ -114,7 +127,7 @@ class ReportRulesTest {
 
     @Test
     void withoutAClockNothingCanLast() {
-        assertThatThrownBy(() -> new ReportRules(null, subscribed::put)
+        assertThatThrownBy(() -> new ReportRules(null, turns, subscribed::put)
                         .add(POWER, LOW.lasting(SECOND), ReportRules.Use.STATE, state -> {}))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("plug/power");

@@ -1,4 +1,4 @@
-package org.evoloop.mqtt;
+package org.evoloop.payload.report;
 
 import java.util.ArrayDeque;
 import java.util.Queue;
@@ -7,18 +7,24 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Lets messages and timers have their turn one after another, in the order in which they came: whatever a timer concludes
- * is told before the next message is heard. Nobody waits: what comes meanwhile is run by the thread that is at it.
+ * Lets reports and timers have their turn one after another, in the order in which they came: whatever a timer concludes
+ * is told before the next report is heard. Nobody waits: what comes meanwhile is run by the thread that is at it.
  *
  * <p>Threading: thread-safe.
+ *
+ * @since 0.1
  */
-final class Turns {
+public final class Turns {
     private static final Logger LOG = LoggerFactory.getLogger(Turns.class);
 
     private final Queue<Runnable> due = new ArrayDeque<>();
     private boolean running;
 
-    void take(Runnable task) {
+    /** No turns are taken yet. */
+    public Turns() {}
+
+    /** Runs a task when its turn has come; one that fails is logged. */
+    public void take(Runnable task) {
         synchronized (this) {
             due.add(task);
             if (running) {
@@ -41,7 +47,7 @@ final class Turns {
         try {
             task.run();
         } catch (RuntimeException wrong) {
-            LOG.warn("what a message or a timer says could not be handled", wrong);
+            LOG.warn("what a report or a timer says could not be handled", wrong);
         }
     }
 }
