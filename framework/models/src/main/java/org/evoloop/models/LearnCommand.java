@@ -37,7 +37,6 @@ import org.evoloop.time.SystemClock;
 import org.evoloop.xmi.ModelReference;
 import org.evoloop.xmi.ModelWriter;
 import org.jspecify.annotations.Nullable;
-import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -111,22 +110,9 @@ final class LearnCommand implements Callable<Integer> {
     @Option(
             names = "--page",
             paramLabel = "[HOST:]PORT",
-            converter = PageAddress.class,
             description =
                     "Shows in the browser what is known so far, and what the device does (default: nothing listens).")
-    private PageOptions page = PageOptions.none();
-
-    /** Reads the address of a page. */
-    static final class PageAddress implements CommandLine.ITypeConverter<PageOptions> {
-        @Override
-        public PageOptions convert(String address) {
-            try {
-                return PageOptions.at(address);
-            } catch (IllegalArgumentException wrong) {
-                throw new CommandLine.TypeConversionException(wrong.getMessage());
-            }
-        }
-    }
+    private @Nullable String page;
 
     @Override
     public Integer call() throws IOException {
@@ -216,12 +202,13 @@ final class LearnCommand implements Callable<Integer> {
     private Learned learn(DeviceFile device, LearnSettings settings, @Nullable StateMachine declared)
             throws IOException {
         LearnSection section = device.learning();
+        PageOptions shown = page == null ? PageOptions.none() : PageOptions.at(page);
         PushMonitor buttons = new PushMonitor("Learner");
         try (Clock clock = new SystemClock();
                 AnswerLog log = log(device.name());
                 DeviceConverter opened = DeviceConverter.open(
                         device, device.free(LookExecute.LOOK, LookExecute.SEEN), clock, buttons, new LookExecute());
-                LearnPage progress = new LearnPage(page, opened.converter(), settings.budget())) {
+                LearnPage progress = new LearnPage(shown, opened.converter(), settings.budget())) {
             LearnRules rules = rules(section);
             ConverterDevice port = new ConverterDevice(
                     opened.converter(), buttons, rules, section.home(), section.reset(), section.settle());

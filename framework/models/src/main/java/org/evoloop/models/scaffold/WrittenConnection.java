@@ -99,40 +99,59 @@ abstract class WrittenConnection {
         return sent.isEmpty() ? Optional.empty() : Optional.of(WrittenConnections.map(sent));
     }
 
+    /** What this kind has not: a file that has been read without mistakes does not ask for it. */
+    private IllegalStateException absent() {
+        return new IllegalStateException(name + " has no such thing");
+    }
+
     /** The key of what is sent in a short form. */
-    abstract String shortSend();
+    String shortSend() {
+        throw absent();
+    }
 
     /** The artifacts that it takes. */
     abstract List<String> artifacts();
 
-    /** The declaration of its field. */
-    abstract String field();
+    /** The declaration of its field; empty if it has none. */
+    String field() {
+        return "";
+    }
 
-    /** Creates it, in the constructor. */
-    abstract String creation();
+    /** Creates it, in the constructor; empty if it is created later. */
+    String creation() {
+        return "";
+    }
 
     /** Adds it to the converter. */
     abstract String adding();
 
-    abstract void send(String event, Section how);
+    void send(String event, Section how) {
+        throw absent();
+    }
 
     abstract void state(Section rule);
 
     /** @param method of a monitor: {@code controller} or {@code device} */
     abstract void events(Section rule, String method);
 
-    abstract void reading(String reading, Section rule);
+    void reading(String reading, Section rule) {
+        throw absent();
+    }
 
     /** What the section {@code device} says about all that is sent. */
-    abstract void device(Section device);
+    void device(Section device) {}
 
     /**
      * The way to a program that runs the function of a state, as an expression of the constructor.
      *
      * @param function the section of the function
      */
-    abstract String functions(String converter, String state, Section function);
+    String functions(String converter, String state, Section function) {
+        throw absent();
+    }
 
     /** What an action does, as an expression of the class {@code Connections} named {@code connections}. */
-    abstract String outside(Section action, String values);
+    String outside(Section action, String values) {
+        throw absent();
+    }
 }

@@ -65,16 +65,6 @@ final class WrittenHttp extends WrittenConnection {
     }
 
     @Override
-    String field() {
-        return "";
-    }
-
-    @Override
-    String creation() {
-        return "";
-    }
-
-    @Override
     String adding() {
         StringBuilder java = new StringBuilder();
         String execute = executeVariable();
@@ -161,11 +151,6 @@ final class WrittenHttp extends WrittenConnection {
     void device(Section device) {
         device.duration("ready-after")
                 .ifPresent(pause -> readyAfter = ".readyAfter(" + WrittenConnections.duration(pause) + ", clock)");
-    }
-
-    @Override
-    String functions(String converter, String state, Section function) {
-        throw new IllegalStateException("a device that answers requests runs no functions");
     }
 
     @Override

@@ -23,11 +23,6 @@ final class WrittenPins extends WrittenConnection {
     }
 
     @Override
-    String shortSend() {
-        throw new IllegalStateException("what is sent over a pin has no short form");
-    }
-
-    @Override
     List<String> artifacts() {
         return List.of("evoloop-gpio");
     }
@@ -41,11 +36,6 @@ final class WrittenPins extends WrittenConnection {
         StringBuilder fields = new StringBuilder();
         lamps.forEach(pin -> fields.append("    OutputPin ").append(lamp(pin)).append(";\n"));
         return fields.toString();
-    }
-
-    @Override
-    String creation() {
-        return "";
     }
 
     @Override
@@ -116,21 +106,6 @@ final class WrittenPins extends WrittenConnection {
     @Override
     void events(Section rule, String method) {
         contact(rule, method, ", " + literal(rule.need("event").orElseThrow().value()));
-    }
-
-    @Override
-    void reading(String reading, Section rule) {
-        throw new IllegalStateException("pins have no readings");
-    }
-
-    @Override
-    void device(Section device) {
-        // Nothing is said about all that is sent.
-    }
-
-    @Override
-    String functions(String converter, String state, Section function) {
-        throw new IllegalStateException("pins run no functions");
     }
 
     @Override

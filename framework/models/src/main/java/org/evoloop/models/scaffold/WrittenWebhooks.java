@@ -16,27 +16,8 @@ final class WrittenWebhooks extends WrittenConnection {
     }
 
     @Override
-    String shortSend() {
-        throw onlyReceives();
-    }
-
-    private static IllegalStateException onlyReceives() {
-        return new IllegalStateException("webhooks only receive");
-    }
-
-    @Override
     List<String> artifacts() {
         return List.of("evoloop-http");
-    }
-
-    @Override
-    String field() {
-        return "";
-    }
-
-    @Override
-    String creation() {
-        return "";
     }
 
     @Override
@@ -45,11 +26,6 @@ final class WrittenWebhooks extends WrittenConnection {
                 + rules().stripTrailing() + ";\n        converter.addMonitor(" + variable() + ");\n"
                 + "        openings.add(" + variable() + "::open);\n        closings.add(" + variable()
                 + "::close);\n";
-    }
-
-    @Override
-    void send(String event, Section how) {
-        throw onlyReceives();
     }
 
     @Override
@@ -62,25 +38,5 @@ final class WrittenWebhooks extends WrittenConnection {
         rule.pairs("values")
                 .forEach((request, name) ->
                         rule("." + method + "(" + literal(request.value()) + ", " + literal(name.value()) + ")"));
-    }
-
-    @Override
-    void reading(String reading, Section rule) {
-        throw onlyReceives();
-    }
-
-    @Override
-    void device(Section device) {
-        // Nothing is sent.
-    }
-
-    @Override
-    String functions(String converter, String state, Section function) {
-        throw onlyReceives();
-    }
-
-    @Override
-    String outside(Section action, String values) {
-        throw onlyReceives();
     }
 }
