@@ -68,7 +68,7 @@ final class Confirmations {
      *
      * @param what for messages
      */
-    record Sent(String what, Sending sending) {}
+    record Sent(String what, Transmission sending) {}
 
     /** The device has not taken what was sent, so it has no effect. */
     static final class Refused extends IllegalStateException {
@@ -109,7 +109,7 @@ final class Confirmations {
      *
      * @param then run when it is reported, before anybody else hears of it
      * @throws UnknownEffectException if there is none within the limit, or the device is lost meanwhile
-     * @throws Exception as {@link Sending}
+     * @throws Exception as {@link Transmission}
      */
     void await(Sent sent, String wanted, Duration limit, Runnable then) throws Exception {
         Wait wait = new Wait(wanted, then);
@@ -123,7 +123,7 @@ final class Confirmations {
      * @param from when others count, too; then the newest does, if one has been reported
      * @param then run when it is answered, before anybody else hears of it
      * @throws UnknownEffectException if there is none within the limit, or the device is lost meanwhile
-     * @throws Exception as {@link Sending}
+     * @throws Exception as {@link Transmission}
      */
     String ask(Sent question, String wanted, Duration from, Duration limit, Runnable then) throws Exception {
         Wait wait = new Wait(wanted, then);

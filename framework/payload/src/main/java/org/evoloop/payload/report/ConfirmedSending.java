@@ -88,7 +88,7 @@ public final class ConfirmedSending {
      * @throws IllegalStateException if it was {@linkplain Pending#refuse refused}, or nothing confirms it
      * @throws Exception as {@code sending}
      */
-    public void send(Step step, String what, Sending sending, Runnable tookEffect) throws Exception {
+    public void send(Step step, String what, Transmission sending, Runnable tookEffect) throws Exception {
         Duration within = limit;
         if (within == null) {
             throw new IllegalStateException("nothing confirms " + what);
@@ -124,7 +124,7 @@ public final class ConfirmedSending {
      * @throws UnknownEffectException if there is none within the limit, or the device is lost meanwhile
      * @throws Exception as {@code asking}
      */
-    public String ask(String what, Sending asking, Duration within) throws Exception {
+    public String ask(String what, Transmission asking, Duration within) throws Exception {
         long left =
                 awaited.isEmpty() ? 0 : Math.max(0, untilNanos - device.clock().nanoTime());
         return answers.ask(new Sent(what, asking), awaited, Duration.ofNanos(left), within, this::settle);

@@ -99,7 +99,7 @@ class ConfirmedSendingTest {
         clock.close();
     }
 
-    private void send(Sending how) throws Exception {
+    private void send(Transmission how) throws Exception {
         sending.send(SWITCH_ON, "the switch", how, () -> effects.add("on"));
     }
 

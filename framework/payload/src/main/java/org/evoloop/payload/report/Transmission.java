@@ -6,7 +6,7 @@ package org.evoloop.payload.report;
  * @since 0.1
  */
 @FunctionalInterface
-public interface Sending {
+public interface Transmission {
     /**
      * Sends it.
      *
