@@ -1,4 +1,6 @@
-"""Takes the pictures of docs/home-assistant.md in the real Home Assistant: pictures.py [DIRECTORY].
+"""Takes the pictures of docs/home-assistant.md in the real Home Assistant: pictures.py [DIRECTORY [all]].
+
+With "all" also those of every device that the test operates, to be looked at.
 
 Needs what ./evoloop test --home-assistant has set up, Chromium, and Python's playwright.
 """
@@ -13,7 +15,7 @@ import urllib.parse
 import urllib.request
 from pathlib import Path
 
-from house import PATIENCE_S, PROJECT, ROOT, House, free_port
+from house import DEVICES, OWN_FILES, PATIENCE_S, PROJECT, House, free_port
 from playwright.sync_api import Page as Tab
 from playwright.sync_api import sync_playwright
 
@@ -78,15 +80,15 @@ class Page:
         tab.screenshot(path=picture, animations="disabled")
 
 
-def devices() -> dict[str, str]:
+def devices(house: House) -> dict[str, str]:
     """The ids of Home Assistant's devices, by their names."""
-    registry = ROOT / "config/.storage/core.device_registry"
+    registry = house.config / ".storage/core.device_registry"
     if not registry.exists():
         return {}
     return {device["name"].lower(): device["id"] for device in json.loads(registry.read_text())["data"]["devices"]}
 
 
-def main(target: Path) -> None:
+def main(target: Path, everything: bool) -> None:
     port = free_port()
     with tempfile.TemporaryDirectory() as folder:
         house = House(Path(folder), configuration(port))
@@ -95,13 +97,17 @@ def main(target: Path) -> None:
             page = Page(port)
             page.onboard()
             house.start_programs()
+            pages = [("lamp", "Press switch"), ("roomba", "Press spot")]
+            if everything:
+                house.start_devices()
+                pages += [(name, "State") for name in (*OWN_FILES, *DEVICES)]
             for entity in ("switch.lamp_converting", "vacuum.roomba"):
-                house.wait(entity, lambda: house.shown(entity) not in ("", "unavailable", "unknown"))
+                house.wait_there(entity)
             house.call("button.press", "button.lamp_press_switch")
             house.wait_shown("sensor.lamp_state", "on")
             house.call("vacuum.start", "vacuum.roomba")
             house.wait_shown("vacuum.roomba", "cleaning")
-            house.wait("Home Assistant's devices", lambda: {"lamp", "roomba"} <= devices().keys(), REGISTRY_S)
+            house.wait("Home Assistant's devices", lambda: {name for name, _ in pages} <= devices(house).keys(), REGISTRY_S)
             browser = next((found for found in map(shutil.which, BROWSERS) if found), None)
             if browser is None:
                 sys.exit("no Chromium; install chromium-headless-shell")
@@ -112,11 +118,11 @@ def main(target: Path) -> None:
                 tab.goto(page.url + "config")
                 tab.get_by_role("button", name="Confirm").click()
                 tab.get_by_role("button", name="Confirm").wait_for(state="hidden")
-                for name, last in (("lamp", "Press switch"), ("roomba", "Press spot")):
-                    page.take(tab, f"config/devices/device/{devices()[name]}", last, target / f"home-assistant-{name}.png")
+                for name, last in pages:
+                    page.take(tab, f"config/devices/device/{devices(house)[name]}", last, target / f"home-assistant-{name}.png")
         finally:
             house.close()
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else PROJECT / "docs")
+    main(Path(sys.argv[1]) if len(sys.argv) > 1 else PROJECT / "docs", sys.argv[2:] == ["all"])
