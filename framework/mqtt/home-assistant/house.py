@@ -13,6 +13,7 @@ import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 PROJECT = Path(__file__).resolve().parents[3]
 ROOT = Path(os.environ.get("EVOLOOP_HOME_ASSISTANT", PROJECT / "target/home-assistant-root"))
@@ -75,6 +76,22 @@ def program(jar: str, *options: str) -> list[str]:
     return ["java", f"-Devoloop.home={PROJECT}", "-jar", str(PROJECT / jar), "--start", *options]
 
 
+def store(config: Path, key: str, data: dict[str, Any], version: int, minor_version: int = 1) -> None:
+    """Writes what Home Assistant itself would store."""
+    stored = {"version": version, "minor_version": minor_version, "key": key, "data": data}
+    (config / ".storage" / key).write_text(json.dumps(stored))
+
+
+def store_port(config: Path, port: int) -> None:
+    """The port of Home Assistant's pages; one in the configuration would have to be confirmed there within five minutes."""
+    http = {
+        "server_host": ["127.0.0.1"], "server_port": port, "cors_allowed_origins": [], "login_attempts_threshold": -1,
+        "ip_ban_enabled": True, "ssl_profile": "intermediate_v6", "use_x_frame_options": True,
+        "created_at": "2026-11-01T00:00:00+00:00", "error": None, "error_message": None,
+    }
+    store(config, "http", {"stable": http, "pending": None, "yaml_migration_done": True}, 3)
+
+
 class House:
     """A house with one broker, which loses everything when it ends."""
 
@@ -83,6 +100,7 @@ class House:
         self.folder = folder
         self.extra = extra
         self.port = free_port()
+        self.page_port = free_port()
         self.newest: dict[str, str] = {}
         self.processes: dict[str, subprocess.Popen[bytes]] = {}
         (folder / "broker.conf").write_text(f"listener {self.port} 127.0.0.1\nallow_anonymous true\npersistence false\n")
@@ -100,8 +118,8 @@ class House:
             "version": 2, "minor_version": 1, "pref_disable_new_entities": False, "pref_disable_polling": False,
             "source": "user", "subentries": [], "title": "broker", "unique_id": None,
         }
-        stored = {"version": 1, "minor_version": 5, "key": "core.config_entries", "data": {"entries": [entry]}}
-        (config / ".storage/core.config_entries").write_text(json.dumps(stored))
+        store(config, "core.config_entries", {"entries": [entry]}, 1, 5)
+        store_port(config, self.page_port)
 
     def start(self, name: str, command: list[str]) -> None:
         with (self.folder / f"{name}.log").open("ab") as log:

@@ -15,19 +15,20 @@ import urllib.parse
 import urllib.request
 from pathlib import Path
 
-from house import DEVICES, OWN_FILES, PATIENCE_S, PROJECT, House, free_port
+from house import DEVICES, OWN_FILES, PATIENCE_S, PROJECT, House
 from playwright.sync_api import Page as Tab
 from playwright.sync_api import sync_playwright
 
 BROWSERS = ("chromium-headless-shell", "chromium")
 # Home Assistant saves what it has discovered 10 s later.
 REGISTRY_S = 60
-SIZE = {"width": 1280, "height": 1120}
+WIDTH, HEIGHT = 1280, 1120
+# A page with more: its configuration and its pictures shall be seen.
+HEIGHTS = {"roomba": 2240}
 
 
-def configuration(port: int) -> str:
-    """The configuration, in which clients on this computer need not log in."""
-    return f"""
+# Clients on this computer need not log in.
+CONFIGURATION = """
 homeassistant:
   name: Home
   auth_providers:
@@ -35,9 +36,6 @@ homeassistant:
       trusted_networks: ["127.0.0.1"]
       allow_bypass_login: true
     - type: homeassistant
-http:
-  server_host: 127.0.0.1
-  server_port: {port}
 frontend:
 config:
 onboarding:
@@ -89,12 +87,11 @@ def devices(house: House) -> dict[str, str]:
 
 
 def main(target: Path, everything: bool) -> None:
-    port = free_port()
     with tempfile.TemporaryDirectory() as folder:
-        house = House(Path(folder), configuration(port))
+        house = House(Path(folder), CONFIGURATION)
         try:
             house.start_home_assistant_twice()
-            page = Page(port)
+            page = Page(house.page_port)
             page.onboard()
             house.start_programs()
             pages = [("lamp", "Press switch"), ("roomba", "Press spot")]
@@ -112,13 +109,10 @@ def main(target: Path, everything: bool) -> None:
             if browser is None:
                 sys.exit("no Chromium; install chromium-headless-shell")
             with sync_playwright() as playwright:
-                tab = playwright.chromium.launch(executable_path=browser).new_page(viewport=SIZE)
+                tab = playwright.chromium.launch(executable_path=browser).new_page()
                 tab.set_default_timeout(PATIENCE_S * 1000)
-                # The page asks whether the port may stay.
-                tab.goto(page.url + "config")
-                tab.get_by_role("button", name="Confirm").click()
-                tab.get_by_role("button", name="Confirm").wait_for(state="hidden")
                 for name, last in pages:
+                    tab.set_viewport_size({"width": WIDTH, "height": HEIGHTS.get(name, HEIGHT)})
                     page.take(tab, f"config/devices/device/{devices(house)[name]}", last, target / f"home-assistant-{name}.png")
         finally:
             house.close()

@@ -22,8 +22,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from house import INSTALLATION_S, PATIENCE_S, PROJECT, ROOT, free_port, store, store_port
 from socket_api import SocketApi
-from house import INSTALLATION_S, PATIENCE_S, PROJECT, ROOT, free_port
 
 RESTARTS = int(os.environ.get("EVOLOOP_HOME_ASSISTANT_RESTARTS", "20"))
 CONNECTIONS = int(os.environ.get("EVOLOOP_CONNECTIONS", "50"))
@@ -286,20 +286,9 @@ class DevicesTest(unittest.TestCase):
             "last_used_ip": None, "expire_at": None, "credential_id": None, "version": None,
         }
         groups = [{"id": f"system-{each}", "name": each} for each in ("admin", "users", "read-only")]
-        cls.store("auth", {"users": [user], "groups": groups, "credentials": [], "refresh_tokens": [token]}, 1)
-        # A port in the configuration would have to be confirmed on a page within five minutes.
-        http = {
-            "server_host": ["127.0.0.1"], "server_port": cls.port, "cors_allowed_origins": [], "login_attempts_threshold": -1,
-            "ip_ban_enabled": True, "ssl_profile": "intermediate_v6", "use_x_frame_options": True,
-            "created_at": "2026-11-01T00:00:00+00:00", "error": None, "error_message": None,
-        }
-        cls.store("http", {"stable": http, "pending": None, "yaml_migration_done": True}, 3)
-        cls.store("onboarding", {"done": ["user", "core_config", "analytics", "integration"]}, 4)
-
-    @classmethod
-    def store(cls, key: str, data: dict[str, Any], version: int) -> None:
-        stored = {"version": version, "minor_version": 1, "key": key, "data": data}
-        (cls.config / ".storage" / key).write_text(json.dumps(stored))
+        store(cls.config, "auth", {"users": [user], "groups": groups, "credentials": [], "refresh_tokens": [token]}, 1)
+        store_port(cls.config, cls.port)
+        store(cls.config, "onboarding", {"done": ["user", "core_config", "analytics", "integration"]}, 4)
 
     @classmethod
     def start_home_assistant(cls, limit_s: int = PATIENCE_S) -> None:
@@ -559,12 +548,12 @@ class DevicesTest(unittest.TestCase):
     def test_10_an_entity_that_is_renamed_or_disappears_is_said_once(self) -> None:
         registry = "config/entity_registry"
         self.page(f"{registry}/update", entity_id="light.lamp", new_entity_id="light.desk")
-        self.said_once("my-lamp", "it is called light.desk now; write that name")
+        self.said_once("my-lamp", "light.lamp is called light.desk now; write that name")
         self.page(f"{registry}/update", entity_id="light.desk", new_entity_id="light.lamp")
         self.wait_link("my-lamp")
         self.page(f"{registry}/update", entity_id="light.lamp", disabled_by="user")
         self.said_once("my-lamp", "light.lamp is disabled in Home Assistant; enable it in its settings")
-        self.page(f"{registry}/remove", entity_id="light.lamp")
+        self.page(f"{registry}/update", entity_id="light.lamp", disabled_by=None)
         self.stop("home-assistant")
         self.start_home_assistant()
         self.wait_link("my-lamp")

@@ -17,18 +17,22 @@ import org.evoloop.page.drawing.MachineDrawing;
  * @since 0.1
  */
 public final class ModelPicture {
+    /** In a wider one, a card shows no text that could be read. */
+    private static final int WIDEST = 900;
+
     private static final String HEADS =
             head("arrow") + head("arrow-new") + "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>";
 
     private ModelPicture() {}
 
     /**
-     * The new model, in which what it has beyond the original one is marked, as SVG in the colours of the light page.
+     * The new model, in which what it has beyond the original one is marked, as SVG in the colours of the light page. If all
+     * of it is too wide, only that is drawn.
      *
      * @return empty if the model is too large to be drawn
      */
     public static String of(ModelPair models) {
-        return MachineDrawing.of(models.evolved(), models::isNew)
+        return MachineDrawing.ofNew(models, WIDEST)
                 .replaceFirst("<svg ([^>]*)>", "<svg class=\"chart\" data-theme=\"light\" $1>" + style() + HEADS);
     }
 

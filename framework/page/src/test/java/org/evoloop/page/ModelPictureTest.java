@@ -19,4 +19,12 @@ class ModelPictureTest {
                 .startsWith("<svg class=\"chart\" data-theme=\"light\"")
                 .contains("--ink:", ".chart .box {", "<marker id=\"arrow\"", "data-state=\"incandescentOn\"");
     }
+
+    @Test
+    void ofAWideOneOnlyWhatIsNewIsDrawn() {
+        String svg = ModelPicture.of(PaperModels.cleaningRobot());
+        assertThat(svg)
+                .contains("data-state=\"Move\"", "data-event=\"arriveSpot\"")
+                .doesNotContain("data-state=\"Charging\"");
+    }
 }
