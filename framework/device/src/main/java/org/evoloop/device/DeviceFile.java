@@ -14,6 +14,7 @@ import org.evoloop.check.timing.TimeRules;
 import org.evoloop.config.OptionLine;
 import org.evoloop.config.Options;
 import org.evoloop.converter.Effect;
+import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.device.file.DeviceFileException;
 import org.evoloop.device.file.Node;
@@ -219,6 +220,21 @@ public final class DeviceFile {
         Set<Event> own = new LinkedHashSet<>(pair.original().spontaneous());
         models.allDevicesOwn().forEach(event -> own.add(new Event(event)));
         return own;
+    }
+
+    /**
+     * A monitor in place of the controls that the file names, such as a console.
+     *
+     * @param name of the monitor
+     */
+    public PushMonitor controller(String name) {
+        Set<String> pressed = models.allPressed();
+        return new PushMonitor(name) {
+            @Override
+            protected Set<String> controllerEvents() {
+                return pressed;
+            }
+        };
     }
 
     /** What the file says about learning the device. */
