@@ -384,12 +384,13 @@ public final class DeviceFile {
 
         private void device(Section device) {
             device.section("send").ifPresent(this::sends);
-            rules(device, "state", Connection::state);
-            rules(device, "does", Connection::does);
+            rules(device, "state", ofDevice(Connection::state));
+            rules(device, "does", ofDevice(Connection::does));
             device.named("readings").forEach((reading, rule) -> {
                 readings.add(reading.value());
                 Connection from = connections.named(rule, "from");
                 if (from != null) {
+                    from.useForDevice();
                     from.reading(reading, rule);
                     rule.done();
                 }
@@ -433,6 +434,7 @@ public final class DeviceFile {
                         : shortForm(send, event, how);
                 Connection to = asked == null ? null : connections.named(asked, "to");
                 if (asked != null && to != null) {
+                    to.useForDevice();
                     asked.number("cost", 1, DeviceEvents.MAX_COST).ifPresent(cost -> costs.put(event.value(), cost));
                     to.send(event, asked);
                     asked.done();
@@ -464,6 +466,13 @@ public final class DeviceFile {
 
         private void rules(Section parent, String key, BiConsumer<Connection, Section> rule) {
             DeviceFile.rules(parent, key).forEach(each -> rule(each, rule));
+        }
+
+        private static BiConsumer<Connection, Section> ofDevice(BiConsumer<Connection, Section> rule) {
+            return (connection, section) -> {
+                connection.useForDevice();
+                rule.accept(connection, section);
+            };
         }
 
         private void rule(Section section, BiConsumer<Connection, Section> rule) {
