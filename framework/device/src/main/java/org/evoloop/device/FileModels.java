@@ -265,6 +265,11 @@ public final class FileModels {
         return states.stream().map(State::name).toList();
     }
 
+    /** The events that controls raise. */
+    Set<String> allPressed() {
+        return Set.copyOf(pressed);
+    }
+
     /** The events that are sent. */
     Set<String> allSent() {
         return sent;
