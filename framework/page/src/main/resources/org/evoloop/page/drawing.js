@@ -2,7 +2,8 @@
 //
 // The SVG has no colours: style.css gives them by class. A state is a .state with data-state, a .box and a .name; an arrow is a
 // .transition with data-source and data-target, and one .event for each text, with data-event, too. A text's data-line (its line in
-// the file) and data-id are only passed on. What is lit gets a class: now, doubt, was, held (states); taken, plan, may, found (arrows).
+// the file) and data-id are only passed on. What is lit gets a class: now, doubt, was, held (states); taken, plan, may (arrows); wrong,
+// warned (both).
 export const LEGIBLE = 0.77; // 13 px of the drawing as 10 px on the screen
 const LARGEST = 1.1;
 const SVG = 'http://www.w3.org/2000/svg';

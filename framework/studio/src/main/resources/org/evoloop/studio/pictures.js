@@ -88,9 +88,11 @@ export class Pictures {
       drawing.mark('picked', mine?.state ? [mine.state.name] : []);
       drawing.light('plan', side === 'original' ? plan : [], { numbered: side === 'original' });
       drawing.mark('now', now?.[side] ? [now[side]] : []);
-      const found = findings.filter(one => one.machine === side);
-      drawing.mark('found', found.filter(one => one.state).map(one => one.state));
-      drawing.light('found', found.filter(one => one.transition).map(one => ({ id: one.transition })));
+      for (const [tone, severity] of [['wrong', 'error'], ['warned', 'warning']]) {
+        const found = findings.filter(one => one.machine === side && one.severity === severity);
+        drawing.mark(tone, found.filter(one => one.state).map(one => one.state));
+        drawing.light(tone, found.filter(one => one.transition).map(one => ({ id: one.transition })));
+      }
       this.#ring(side, mine?.state);
       if (mine) this.#see(drawing, mine);
     }

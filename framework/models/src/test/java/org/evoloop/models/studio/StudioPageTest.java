@@ -8,7 +8,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import org.awaitility.Awaitility;
-import org.evoloop.models.Tool;
 import org.evoloop.page.Browser;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
@@ -130,36 +129,18 @@ class StudioPageTest {
     }
 
     @Test
-    void bothModelsAreDrawnFromNothing() throws Exception {
-        window.open();
-        browser.await("document.activeElement.id === 'begin'");
-        browser.enter();
-        window.awaitState("new", "Off");
-        window.awaitState("original", "Off");
-        for (String side : List.of("original", "new")) {
-            window.addState(side, "Low");
-            window.addState(side, "High");
-            window.drag(side, "Off", "Low", "power");
-            window.drag(side, "Low", "Off", "power");
-            window.drag(side, "Low", "High", "speed");
-            window.drag(side, "High", "Off", "power");
-            window.drag(side, "High", "Low", "speed");
-        }
-        window.drag("original", "High", "Off", "«spontaneous» overheat");
-        window.addState("new", "Breeze");
-        window.drag("new", "Off", "High", "boost");
-        window.drag("new", "Low", "Breeze", "breeze");
-        window.drag("new", "High", "Off", "overheat");
-        window.drag("new", "High", "Breeze", "breeze");
-        window.drag("new", "Breeze", "Off", "power");
-        window.drag("new", "Breeze", "Off", "overheat");
-        window.drag("new", "Breeze", "Off", "tm(30min)");
-        window.save();
-
-        String original = folder.resolve("original.mmd").toString();
-        String evolved = folder.resolve("new.mmd").toString();
-        assertThat(Tool.run("diff", original, evolved).out()).contains("Breeze", "boost");
-        assertThat(Tool.run("check", original, evolved).status()).isZero();
+    void aWarningIsMarkedAsOneAndNotAsAnError() throws Exception {
+        lamp();
+        go(LINE_OF_WAIT + 1);
+        browser.type("\n    wait --> warm : switch");
+        browser.await("document.querySelector('.view[data-side=new] .state.warned')?.dataset.state === 'warm'");
+        String line = String.valueOf(LINE_OF_WAIT + 2);
+        browser.await(
+                "[...document.querySelectorAll('.lines .warning .no')].some(no => no.textContent === '" + line + "')");
+        assertThat(browser.evaluate("String(document.querySelectorAll('.chart .wrong, .lines .error').length)"))
+                .isEqualTo("0");
+        browser.await("getComputedStyle(document.querySelector('.state.warned .box')).stroke"
+                + " === getComputedStyle(document.querySelector('.pill.warn')).color");
     }
 
     @Test
@@ -266,7 +247,7 @@ class StudioPageTest {
         browser.await("document.querySelector('#banners').innerText.includes('has changed on the disk')");
         assertThat(window.text()).contains("first").doesNotContain("second");
         assertThat(folder.resolve("lamp.md")).content().contains("second").doesNotContain("first");
-        button("#banners", "Take the disk’s");
+        window.button("#banners", "Take the disk’s");
         window.awaitArrow("new", "wait", "on", "second");
         undo();
         window.awaitArrow("new", "wait", "on", "first");
@@ -289,29 +270,22 @@ class StudioPageTest {
         assertThat(folder.resolve("lamp.md")).content().isEqualTo(LAMP);
     }
 
-    private static void button(String place, String text) {
-        browser.await("[...document.querySelectorAll('" + place + " button')].some(one => one.textContent === '" + text
-                + "')");
-        browser.evaluate("[...document.querySelectorAll('" + place + " button')].find(one => one.textContent === '"
-                + text + "').click()");
-    }
-
     @Test
     void aCounterexampleIsPlayedInThePicture() throws Exception {
         lamp();
-        button("#tools", "Properties");
+        window.button("#tools", "Properties");
         window.focus("#property");
         browser.type("It is never left on: always not wait");
         browser.enter();
         browser.await("document.querySelector('#properties').innerText.includes('Does not hold')");
-        button("#properties", "Play it");
+        window.button("#properties", "Play it");
         browser.await("document.querySelector('#try-new').textContent === 'wait'");
         browser.await("document.querySelector('.view[data-side=new] .state.now').dataset.state === 'wait'");
-        button("#try", "One back");
+        window.button("#try", "One back");
         browser.await("document.querySelector('#try-new').textContent === 'on'");
-        button("#try", "switch");
+        window.button("#try", "switch");
         browser.await("document.querySelector('#try-new').textContent === 'wait'");
-        button("#try", "let 2 s pass");
+        window.button("#try", "let 2 s pass");
         browser.await("document.querySelector('#try-new').textContent === 'off'");
     }
 

@@ -145,6 +145,17 @@ final class StudioWindow implements AutoCloseable {
         quiet();
     }
 
+    /** Clicks the button of this text, as soon as it is there. */
+    void button(String place, String text) {
+        String it = "[...document.querySelectorAll('" + place + " button')].find(one => one.textContent === '" + text
+                + "')";
+        browser.await(it);
+        browser.evaluate("(" + it
+                + ".scrollIntoView({ block: 'nearest' }), document.querySelector('[data-here]')?.removeAttribute('data-here'), "
+                + it + ".setAttribute('data-here', ''))");
+        browser.click("[data-here]");
+    }
+
     void save() {
         browser.control("s", 83);
         browser.await("document.querySelector('#unsaved').textContent === 'saved'");
