@@ -19,6 +19,7 @@ import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.awaitility.Awaitility;
 import org.evoloop.models.Main;
+import org.evoloop.models.Tool;
 import org.evoloop.page.Browser;
 import org.evoloop.service.Ctl;
 import org.junit.jupiter.api.AfterEach;
@@ -26,10 +27,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A running fan that is evolved to what was drawn in the studio; the fan's own log tells. */
+/**
+ * The whole story: both models of a fan are drawn from nothing, by mouse and keyboard, while the fan runs with what it can do;
+ * then the running fan is evolved to what was drawn. The fan's own log tells.
+ */
 @EnabledIf("org.evoloop.page.Browser#isThere")
-class EvolvedFanTest {
-    private static final String ORIGINAL = """
+class DrawnFanTest {
+    /** What the fan does before. */
+    private static final String RUNNING = """
             stateDiagram-v2
                 [*] --> Off
                 Off --> Low : power
@@ -38,6 +43,9 @@ class EvolvedFanTest {
                 High --> Off : power
                 High --> Low : speed
             """;
+
+    @TempDir
+    private Path running;
 
     @TempDir
     private Path folder;
@@ -85,7 +93,7 @@ class EvolvedFanTest {
         }
     }
 
-    private Process start(Class<?> program, String... arguments) throws IOException {
+    private Process start(Path where, Class<?> program, String... arguments) throws IOException {
         List<String> command = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-cp",
@@ -93,7 +101,7 @@ class EvolvedFanTest {
                 program.getName()));
         command.addAll(List.of(arguments));
         ProcessBuilder builder =
-                new ProcessBuilder(command).directory(folder.toFile()).redirectError(ProcessBuilder.Redirect.INHERIT);
+                new ProcessBuilder(command).directory(where.toFile()).redirectError(ProcessBuilder.Redirect.INHERIT);
         builder.environment().put("XDG_RUNTIME_DIR", sockets.toString());
         Process process = builder.start();
         processes.add(process);
@@ -101,7 +109,7 @@ class EvolvedFanTest {
     }
 
     private int ctl(String... arguments) throws Exception {
-        Process process = start(Ctl.class, arguments);
+        Process process = start(running, Ctl.class, arguments);
         process.getInputStream().readAllBytes();
         return process.waitFor();
     }
@@ -111,54 +119,93 @@ class EvolvedFanTest {
         processes.forEach(Process::destroyForcibly);
     }
 
+    /** A fan that does what its remote control says, and no more. */
+    private void run(Fan fan) throws IOException {
+        Files.writeString(running.resolve("fan.mmd"), RUNNING);
+        Files.writeString(running.resolve("fan.yaml"), """
+                converter: fan
+                models: {original: fan.mmd, new: fan.mmd}
+                connections:
+                  fan: {lines: "tcp://127.0.0.1:%d", greet: STATE?}
+                device:
+                  send: {power: PWR, speed: SPD}
+                  answer: {ok: OK, error: ERR.*, within: 2 s}
+                  ask: {line: STATE?}
+                  state: {is Off: "Off", is Low: Low, is High: High}
+                controller:
+                  press: {remote power: power}
+                """.formatted(fan.server.getLocalPort()));
+        start(running, Main.class, "device", "run", "fan.yaml", "--start", "--name", "fan");
+    }
+
+    private static void draw(StudioWindow window) {
+        for (String side : List.of("original", "new")) {
+            window.addState(side, "Low");
+            window.addState(side, "High");
+            window.drag(side, "Off", "Low", "power");
+            window.drag(side, "Low", "Off", "power");
+            window.drag(side, "Low", "High", "speed");
+            window.drag(side, "High", "Off", "power");
+            window.drag(side, "High", "Low", "speed");
+        }
+        window.addState("new", "Breeze");
+        window.drag("new", "Off", "High", "boost");
+        window.drag("new", "Low", "Breeze", "breeze");
+        window.drag("new", "High", "Breeze", "breeze");
+        window.drag("new", "Breeze", "Off", "power");
+        window.drag("new", "Breeze", "Off", "tm(30min)");
+    }
+
     @Test
-    void aRunningFanIsEvolvedToWhatWasDrawn() throws Exception {
+    void aRunningFanIsEvolvedToWhatIsDrawnFromNothing() throws Exception {
         Files.setPosixFilePermissions(sockets, PosixFilePermissions.fromString("rwx------"));
-        Files.writeString(folder.resolve("original.mmd"), ORIGINAL);
-        Files.writeString(folder.resolve("new.mmd"), ORIGINAL);
         try (Fan fan = new Fan();
                 Browser browser = new Browser()) {
-            Files.writeString(folder.resolve("fan.yaml"), """
-                    converter: fan
-                    models: {original: original.mmd, new: new.mmd}
-                    connections:
-                      fan: {lines: "tcp://127.0.0.1:%d", greet: STATE?}
-                    device:
-                      send: {power: PWR, speed: SPD}
-                      answer: {ok: OK, error: ERR.*, within: 2 s}
-                      ask: {line: STATE?}
-                      state: {is Off: "Off", is Low: Low, is High: High}
-                    controller:
-                      press: {remote power: power}
-                    """.formatted(fan.server.getLocalPort()));
-            start(Main.class, "device", "run", "fan.yaml", "--start", "--name", "fan");
+            run(fan);
+            Process studio = start(folder, Main.class, "studio", ".", "--port", "0");
+            BufferedReader printed = studio.inputReader(StandardCharsets.UTF_8);
+            browser.looks(1280, 900, false);
+            StudioWindow window = new StudioWindow(browser, printed.readLine());
+            window.openAnother();
+            browser.await("document.activeElement.id === 'begin'");
+            browser.enter();
+            window.awaitState("new", "Off");
+            window.awaitState("original", "Off");
+            draw(window);
+            window.save();
+            assertThat(Tool.run("check", saved("original"), saved("new")).status())
+                    .isZero();
+            assertThat(Tool.run("diff", saved("original"), saved("new")).out()).contains("Breeze", "boost");
+
+            window.button("#try", "boost");
+            browser.await("document.querySelector('#try-new').textContent === 'High'");
+
             Awaitility.await().atMost(Duration.ofSeconds(60)).until(() -> ctl("fan", "status") == 0);
             assertThat(ctl("fan", "press", "boost")).isNotZero();
-
-            Process studio = start(Main.class, "studio", ".", "--port", "0");
-            browser.looks(1280, 900, false);
-            StudioWindow window = new StudioWindow(
-                    browser, studio.inputReader(StandardCharsets.UTF_8).readLine());
-            window.openAnother();
-            window.awaitState("new", "High");
-            window.drag("new", "Off", "High", "boost");
             browser.click("#change");
-            browser.await("document.querySelector('#dialog .sum').innerText.includes('3')");
+            browser.await("document.querySelector('#dialog .sum')");
             browser.click("#dialog .stages button[value=over]");
             browser.await("document.querySelector('#dialog .btn.main')");
             browser.click("#dialog .btn.main");
             browser.await("document.querySelector('#dialog .here').innerText.includes('took over')");
-
             assertThat(fan.log).containsExactly("Off");
             assertThat(ctl("fan", "press", "boost")).isZero();
             Awaitility.await().untilAsserted(() -> assertThat(fan.log).containsExactly("Off", "Low", "High"));
 
+            // In the new state, the fan itself goes on at high speed.
+            assertThat(ctl("fan", "press", "breeze")).isZero();
+            assertThat(ctl("fan", "press", "power")).isZero();
+            Awaitility.await().untilAsserted(() -> assertThat(fan.log).containsExactly("Off", "Low", "High", "Off"));
+
             browser.click("#dialog .stages button[value=watch]");
-            browser.await(
-                    "[...document.querySelectorAll('#dialog button')].some(one => one.textContent === 'Roll back')");
-            browser.evaluate(
-                    "[...document.querySelectorAll('#dialog button')].find(one => one.textContent === 'Roll back').click()");
+            window.button("#dialog", "Roll back");
             Awaitility.await().atMost(Duration.ofSeconds(60)).until(() -> ctl("fan", "press", "boost") != 0);
+            assertThat(browser.complaints).allMatch(complaint -> complaint.contains("\"source\":\"network\""));
+            assertThat(printed.ready()).as("it prints only its address").isFalse();
         }
+    }
+
+    private String saved(String model) {
+        return folder.resolve(model + ".mmd").toString();
     }
 }
