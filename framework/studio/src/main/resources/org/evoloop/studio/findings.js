@@ -23,10 +23,10 @@ export function entry(finding, { go, play }) {
 export class Findings {
   #place = $('#findings');
 
-  show(findings, actions, tooLarge) {
+  show(findings, actions, unchecked) {
     $('#counts').replaceChildren(...pills(findings));
     $('#views [data-show="findings"]').classList.toggle('bad', findings.some(one => one.severity === 'error'));
-    this.#place.replaceChildren(...(tooLarge ? [make('p.banner', {}, make('span', {}, tooLarge))] : []),
-      ...(findings.length || tooLarge ? findings.map(one => entry(one, actions)) : [make('p.soft.small', {}, 'Nothing found.')]));
+    this.#place.replaceChildren(...(unchecked ? [make('p.banner', {}, make('span', {}, unchecked))] : []),
+      ...(findings.length || unchecked ? findings.map(one => entry(one, actions)) : [make('p.soft.small', {}, 'Nothing found.')]));
   }
 }

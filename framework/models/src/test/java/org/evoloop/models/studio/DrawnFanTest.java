@@ -184,22 +184,31 @@ class DrawnFanTest {
             assertThat(ctl("fan", "press", "boost")).isNotZero();
             browser.click("#change");
             browser.await("document.querySelector('#dialog .sum')");
-            browser.click("#dialog .stages button[value=over]");
-            browser.await("document.querySelector('#dialog .btn.main')");
-            browser.click("#dialog .btn.main");
-            browser.await("document.querySelector('#dialog .here').innerText.includes('took over')");
-            assertThat(fan.log).containsExactly("Off");
-            assertThat(ctl("fan", "press", "boost")).isZero();
+            browser.click("#dialog .stages button[value=beside]");
+            window.button("#dialog", "Try it beside");
+            browser.await("document.querySelector('#dialog .said').innerText.includes('shadow')");
+            assertThat(ctl("fan", "press", "boost")).isNotZero();
+            window.button("#dialog", "Let it take over");
+            Awaitility.await().atMost(Duration.ofSeconds(60)).until(() -> ctl("fan", "press", "boost") == 0);
             Awaitility.await().untilAsserted(() -> assertThat(fan.log).containsExactly("Off", "Low", "High"));
-
-            // In the new state, the fan itself goes on at high speed.
-            assertThat(ctl("fan", "press", "breeze")).isZero();
             assertThat(ctl("fan", "press", "power")).isZero();
-            Awaitility.await().untilAsserted(() -> assertThat(fan.log).containsExactly("Off", "Low", "High", "Off"));
 
             browser.click("#dialog .stages button[value=watch]");
             window.button("#dialog", "Roll back");
             Awaitility.await().atMost(Duration.ofSeconds(60)).until(() -> ctl("fan", "press", "boost") != 0);
+
+            browser.click("#dialog .stages button[value=over]");
+            window.button("#dialog", "Let it take over");
+            browser.await("document.querySelector('#dialog .here').innerText.includes('took over')");
+            List<String> before = List.of("Off", "Low", "High", "Off");
+            assertThat(fan.log).isEqualTo(before);
+            assertThat(ctl("fan", "press", "boost")).isZero();
+            // In the new state, the fan itself goes on at high speed.
+            assertThat(ctl("fan", "press", "breeze")).isZero();
+            assertThat(ctl("fan", "press", "power")).isZero();
+            Awaitility.await()
+                    .untilAsserted(() ->
+                            assertThat(fan.log).containsExactly("Off", "Low", "High", "Off", "Low", "High", "Off"));
             assertThat(browser.complaints).allMatch(complaint -> complaint.contains("\"source\":\"network\""));
             assertThat(printed.ready()).as("it prints only its address").isFalse();
         }

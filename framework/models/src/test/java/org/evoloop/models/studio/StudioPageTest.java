@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import org.awaitility.Awaitility;
+import org.evoloop.models.device.DeviceCommands;
 import org.evoloop.page.Browser;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
@@ -224,6 +225,149 @@ class StudioPageTest {
         window.awaitArrow("new", "wait", "on", "again");
         window.save();
         assertThat(folder.resolve("lamp.md")).content().contains("wait --> on : again");
+    }
+
+    @Test
+    void aStudioThatIsStartedAnewAsksForItsTokenAndKeepsWhatWasTyped() throws Exception {
+        lamp();
+        window.kill();
+        Files.delete(other.resolve("token"));
+        go(LINE_OF_WAIT);
+        browser.type("\n    wait --> on : again");
+        window.startAgain();
+        browser.await("document.querySelector('#banners').innerText.includes('The studio was started anew')");
+        window.focus("#banners input");
+        browser.type("not the token");
+        browser.enter();
+        browser.await("document.querySelector('#banners').innerText.includes('not the one')");
+        assertThat(window.text()).contains("wait --> on : again");
+        browser.evaluate("document.querySelector('#banners input').select()");
+        browser.type(window.address());
+        browser.enter();
+        window.awaitArrow("new", "wait", "on", "again");
+        browser.await("document.querySelector('#banners').innerText === ''");
+        window.save();
+        assertThat(folder.resolve("lamp.md")).content().contains("wait --> on : again");
+    }
+
+    @Test
+    void whatIsTypedOnASlowNetworkIsNeitherLostNorTakenForSaved() throws Exception {
+        lamp();
+        go(LINE_OF_WAIT);
+        browser.type("\n    wait --> on : first");
+        browser.network(400);
+        browser.control("s", 83);
+        browser.type(" / blink");
+        browser.await("document.querySelector('#save').disabled === false");
+        Awaitility.await()
+                .untilAsserted(
+                        () -> assertThat(folder.resolve("lamp.md")).content().contains("first"));
+        window.awaitArrow("new", "wait", "on", "first");
+        assertThat(window.text()).contains("wait --> on : first / blink");
+        assertThat(folder.resolve("lamp.md")).content().doesNotContain("blink");
+        assertThat(browser.evaluate("document.querySelector('#unsaved').textContent"))
+                .contains("1 file not saved");
+        browser.network(0);
+        window.save();
+        assertThat(folder.resolve("lamp.md")).content().contains("wait --> on : first / blink");
+    }
+
+    @Test
+    void aRunIsKeptAsAScenarioThatTheDeviceFilesCheckPlays() throws Exception {
+        Files.writeString(folder.resolve("lamp.md"), LAMP);
+        Files.writeString(folder.resolve("lamp.yaml"), """
+                converter: lamp
+                models: {original: lamp.md#original, new: lamp.md#new}
+                connections:
+                  lamp: {lines: "tcp://127.0.0.1:4001"}
+                device:
+                  send: {switch: SW}
+                  answer: {ok: OK, within: 2 s}
+                controller:
+                  press: {button: switch}
+                functions:
+                  wait: {}
+                """);
+        window.open();
+        window.awaitState("new", "wait");
+        window.button("#try", "switch");
+        browser.await("document.querySelector('#try-new').textContent === 'on'");
+        window.button("#try", "switch");
+        browser.await("document.querySelector('#try-new').textContent === 'wait'");
+        window.button("#try", "let 2 s pass");
+        browser.await("document.querySelector('#try-new').textContent === 'off'");
+        window.button("#try", "Keep as scenario");
+        browser.evaluate("document.querySelector('#dialog input').select()");
+        browser.type("it waits, then it's off");
+        window.button("#dialog", "Keep it");
+        browser.await("document.querySelector('#text').value.includes('scenarios:')");
+        window.save();
+        browser.await("!document.querySelector('.lines .error')");
+        String file = folder.resolve("lamp.yaml").toString();
+        assertThat(Path.of(file)).content().contains("'it waits, then it''s off':", "sent: [switch]");
+        assertThat(DeviceCommands.run(List.of("check", file), models -> 0)).isZero();
+        Files.writeString(Path.of(file), Files.readString(Path.of(file)).replace("state: wait", "state: 'on'"));
+        assertThat(DeviceCommands.run(List.of("check", file), models -> 0)).isEqualTo(1);
+    }
+
+    @Test
+    void aModelThatIsTooLargeIsSaidAtOnce() throws Exception {
+        StringBuilder large = new StringBuilder("stateDiagram-v2\n    [*] --> s0\n");
+        for (int i = 0; i < 700; i++) {
+            large.append("    s").append(i).append(" --> s").append(i + 1).append(" : e\n");
+        }
+        Files.writeString(folder.resolve("original.mmd"), large);
+        Files.writeString(folder.resolve("new.mmd"), large);
+        window.open();
+        browser.await(
+                "document.querySelector('.view[data-side=new] .note').innerText.includes('too many for a picture')");
+        browser.evaluate("document.querySelector('#detail').value = 'around'");
+        browser.evaluate("document.querySelector('#detail').dispatchEvent(new Event('change'))");
+        go(5);
+        browser.await("document.querySelector('.view[data-side=new] .state[data-state=s2]')");
+        assertThat(window.states("new")).isEqualTo("s2,s3");
+        go(300);
+        browser.await("document.querySelector('.view[data-side=new] .state[data-state=s297]')");
+        browser.type("\n    s297 --> s0 : home");
+        window.awaitArrow("new", "s297", "s0", "home");
+    }
+
+    @Test
+    void theMinimapShowsWhatIsSeenOfALargePictureAndMovesIt() throws Exception {
+        StringBuilder long40 = new StringBuilder("stateDiagram-v2\n    [*] --> s0\n");
+        for (int i = 0; i < 40; i++) {
+            long40.append("    s").append(i).append(" --> s").append(i + 1).append(" : e\n");
+        }
+        Files.writeString(
+                folder.resolve("original.mmd"), LAMP.substring(LAMP.indexOf("stateDiagram"), LAMP.indexOf("```\n```")));
+        Files.writeString(folder.resolve("new.mmd"), long40);
+        window.open();
+        window.awaitState("new", "s40");
+        String mini = ".view[data-side=\"new\"] .mini";
+        browser.await("!document.querySelector('" + mini + "').classList.contains('all')");
+        browser.await("document.querySelector('.view[data-side=original] .mini').classList.contains('all')");
+        String left = "document.querySelector('" + mini + " .win').x.baseVal.value";
+        browser.await(left + " === 0");
+        browser.click(mini);
+        browser.await(left + " > 100");
+        assertThat(browser.evaluate(
+                        "String(document.querySelector('.view[data-side=new] svg.chart').viewBox.baseVal.x > 100)"))
+                .isEqualTo("true");
+        browser.click(".view[data-side=new] [data-zoom=fit]");
+        browser.await("document.querySelector('" + mini + "').classList.contains('all')");
+    }
+
+    @Test
+    void theSurroundingsFollowWhatIsPicked() throws Exception {
+        lamp();
+        browser.evaluate("document.querySelector('#detail').value = 'around'");
+        browser.evaluate("document.querySelector('#detail').dispatchEvent(new Event('change'))");
+        go(LINE_OF_WAIT + 1);
+        browser.await("!document.querySelector('.view[data-side=new] .state[data-state=on]')");
+        assertThat(window.states("new")).isEqualTo("off,wait");
+        browser.click(".view[data-side=new] .state[data-state=off] .box");
+        browser.await("document.querySelector('.view[data-side=new] .state[data-state=on]')");
+        assertThat(window.states("new")).isEqualTo("off,on");
     }
 
     @Test

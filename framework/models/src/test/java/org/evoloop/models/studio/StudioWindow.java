@@ -72,6 +72,12 @@ final class StudioWindow implements AutoCloseable {
 
     void startAgain() throws IOException {
         studio = start(URI.create(address).getPort());
+        address = studio.address().toString();
+    }
+
+    /** What the studio prints. */
+    String address() {
+        return address;
     }
 
     /** Forgets what another test has typed, and opens the page. */
