@@ -34,6 +34,7 @@ export class Drawing {
   #place;
   #svg = null;
   #whole = [1, 1];
+  #size = [1, 1]; // of the window, in pixels
   #scale = 1;
   #centre = [0, 0];
   #focus = null; // the state that is kept in view
@@ -48,7 +49,10 @@ export class Drawing {
     this.#place = place;
     this.most = most;
     place.tabIndex = 0;
-    new ResizeObserver(() => this.#settle()).observe(place);
+    new ResizeObserver(() => {
+      this.#measure();
+      this.#settle();
+    }).observe(place);
     place.addEventListener('pointerdown', down => this.#drag(down));
     place.addEventListener('wheel', wheel => {
       if (!wheel.ctrlKey) return; // the page scrolls as usual
@@ -212,7 +216,8 @@ export class Drawing {
     this.#settle();
   }
 
-  get #size() { return [this.#place.clientWidth || 1, this.#place.clientHeight || 1]; }
+  // Asked for only if it has changed, since the browser would have to lay out a new drawing before it answers.
+  #measure() { this.#size = [this.#place.clientWidth || 1, this.#place.clientHeight || 1]; }
 
   #fitting() { return Math.min(this.#size[0] / this.#whole[0], this.#size[1] / this.#whole[1]); }
 
@@ -220,7 +225,11 @@ export class Drawing {
     if (!this.#svg) return;
     if (this.most) {
       const scale = Math.min(LARGEST, Math.max(LEGIBLE, this.#size[0] / this.#whole[0]));
-      this.#place.style.height = `${Math.min(this.most, Math.max(140, Math.ceil(this.#whole[1] * scale) + 8))}px`;
+      const height = `${Math.min(this.most, Math.max(140, Math.ceil(this.#whole[1] * scale) + 8))}px`;
+      if (this.#place.style.height !== height) {
+        this.#place.style.height = height;
+        this.#measure();
+      }
     }
     if (this.#moved) {
       this.#at(...this.#centre);
