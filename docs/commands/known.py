@@ -331,6 +331,7 @@ KNOWN = [
     Known("./evoloop bench", why_not="takes 15 to 20 minutes; --quick does the same with fewer rounds"),
     typed("./evoloop bench --quick", slow=True, shows="decision"),
     Known("./evoloop bench --only file", run="./evoloop bench --quick --only file", slow=True),
+    Known("./evoloop bench --only studio", run="./evoloop bench --quick --only studio", slow=True),
     Known("./evoloop bench --only ring", run="./evoloop bench --quick --only ring", slow=True),
     Known("./evoloop bench --json FILE", run="./evoloop bench --quick --only loading --json rows.json", slow=True),
     Known(
@@ -397,6 +398,7 @@ KNOWN = [
         why_not="MODULE and NAME are placeholders for tests that run anyway",
     ),
     typed("./mvnw -pl framework/check -am -Dslow -Dtest=CheckGrowthTest -Dsurefire.failIfNoSpecifiedTests=false test", slow=True),
+    typed("./mvnw -pl framework/models -am -Dslow -Dtest=TypingTest -Dsurefire.failIfNoSpecifiedTests=false test", slow=True),
     typed("./mvnw -pl framework/page -am -Dslow -Dtest=LitTimeTest -Dsurefire.failIfNoSpecifiedTests=false test", slow=True),
     Known(
         "./mvnw -pl roomba-converter -am -Dslow -Dsurefire.failIfNoSpecifiedTests=false -Dtest=NAME test",
