@@ -21,6 +21,7 @@ import org.jspecify.annotations.Nullable;
 public abstract class Connection {
     private final String name;
     private final String kind;
+    private boolean ofDevice;
     private volatile boolean assembled;
 
     /**
@@ -71,6 +72,16 @@ public abstract class Connection {
     /** A number or a text that the status shows. */
     public void reading(Node.Text reading, Section rule) {
         refuse(rule, "has no readings");
+    }
+
+    /** Notes that the section {@code device} uses this connection; another is only the controller's, or a function's. */
+    final void useForDevice() {
+        ofDevice = true;
+    }
+
+    /** Whether the device cannot be operated without it. */
+    final boolean isOfDevice() {
+        return ofDevice;
     }
 
     /** Whatever in the section {@code device} holds for all that is sent over this connection. */

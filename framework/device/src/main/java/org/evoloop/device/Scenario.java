@@ -215,6 +215,7 @@ public record Scenario(String name, List<Line> steps) {
         file.guards().attach(clock, List.of(told));
         try (ConverterHarness converter = ConverterHarness.of(file.knowledge(file.models()))
                 .with(device)
+                .with(file.controller("Controls"))
                 .clock(clock)
                 .start()) {
             Running running = new Running(file, converter, device, clock, told);

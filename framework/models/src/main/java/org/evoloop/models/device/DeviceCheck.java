@@ -83,6 +83,7 @@ final class DeviceCheck {
     private static Optional<Set<Event>> controllerEvents(DeviceFile file, PrintStream out) {
         try (ConverterHarness converter = ConverterHarness.of(file.knowledge(file.models()))
                 .with(file.simulated())
+                .with(file.controller("Controls"))
                 .start()) {
             return Optional.of(converter.converter().controllerEvents());
         } catch (ModelException unfit) {

@@ -1,4 +1,4 @@
-package org.evoloop.device;
+package org.evoloop.device.connection;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -18,6 +18,10 @@ import java.util.ArrayList;
 import java.util.List;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.device.Connection;
+import org.evoloop.device.FileModels;
+import org.evoloop.device.Outward;
+import org.evoloop.device.Parts;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Problems;
 import org.evoloop.device.file.Section;

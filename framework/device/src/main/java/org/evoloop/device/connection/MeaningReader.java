@@ -1,4 +1,4 @@
-package org.evoloop.device;
+package org.evoloop.device.connection;
 
 import java.time.Duration;
 import java.util.List;

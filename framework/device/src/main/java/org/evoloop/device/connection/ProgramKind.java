@@ -1,6 +1,9 @@
-package org.evoloop.device;
+package org.evoloop.device.connection;
 
 import java.util.List;
+import org.evoloop.device.Connection;
+import org.evoloop.device.ConnectionKind;
+import org.evoloop.device.FileModels;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
 import org.evoloop.line.LineTransport;

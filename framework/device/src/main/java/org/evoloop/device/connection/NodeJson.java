@@ -1,4 +1,4 @@
-package org.evoloop.device;
+package org.evoloop.device.connection;
 
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;

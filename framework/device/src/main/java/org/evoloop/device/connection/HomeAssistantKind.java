@@ -1,5 +1,8 @@
-package org.evoloop.device;
+package org.evoloop.device.connection;
 
+import org.evoloop.device.Connection;
+import org.evoloop.device.ConnectionKind;
+import org.evoloop.device.FileModels;
 import org.evoloop.device.file.Section;
 
 /**

@@ -1,4 +1,4 @@
-package org.evoloop.device;
+package org.evoloop.device.connection;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -7,6 +7,10 @@ import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.device.Connection;
+import org.evoloop.device.ConnectionKind;
+import org.evoloop.device.FileModels;
+import org.evoloop.device.Parts;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
 import org.evoloop.http.HttpMonitor;

@@ -1,4 +1,4 @@
-package org.evoloop.device;
+package org.evoloop.device.connection;
 
 import static java.util.Objects.requireNonNull;
 
@@ -13,6 +13,10 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.regex.Pattern;
 import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.device.Connection;
+import org.evoloop.device.FileModels;
+import org.evoloop.device.Outward;
+import org.evoloop.device.Parts;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
 import org.evoloop.function.NewFunction;

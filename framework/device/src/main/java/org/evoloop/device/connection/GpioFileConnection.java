@@ -1,4 +1,4 @@
-package org.evoloop.device;
+package org.evoloop.device.connection;
 
 import static java.util.Objects.requireNonNull;
 
@@ -14,6 +14,10 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.device.Connection;
+import org.evoloop.device.FileModels;
+import org.evoloop.device.Outward;
+import org.evoloop.device.Parts;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
 import org.evoloop.gpio.GpioExecute;

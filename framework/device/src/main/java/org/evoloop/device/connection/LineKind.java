@@ -1,8 +1,11 @@
-package org.evoloop.device;
+package org.evoloop.device.connection;
 
 import java.nio.file.Path;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.evoloop.device.Connection;
+import org.evoloop.device.ConnectionKind;
+import org.evoloop.device.FileModels;
 import org.evoloop.device.file.Section;
 import org.evoloop.line.LineTransport;
 import org.evoloop.serial.SerialTransport;
