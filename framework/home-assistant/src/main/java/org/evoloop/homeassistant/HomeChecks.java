@@ -51,14 +51,11 @@ final class HomeChecks {
     }
 
     /** A converter whose input is its own output would answer itself for ever. */
-    private static void requireOthers(HomeEntities entities, JsonRecord entries, Collection<String> own) {
+    private void requireOthers(HomeEntities entities, JsonRecord entries, Collection<String> own)
+            throws HomeException, InterruptedException {
         for (String id : entities.ids()) {
-            boolean shown = entries.inner(id)
-                    .filter(entry -> "mqtt".equals(entry.text("platform", "")))
-                    .filter(entry -> own.stream()
-                            .anyMatch(each -> entry.text("unique_id", "").startsWith("evoloop_" + each + "_")))
-                    .isPresent();
-            if (shown) {
+            JsonRecord entry = entries.inner(id).orElse(null);
+            if (entry != null && isShown(entry, own)) {
                 entities.note(
                         loop(id),
                         id + " is what this converter itself shows in Home Assistant, and its input would be its own "
@@ -69,16 +66,49 @@ final class HomeChecks {
         }
     }
 
+    /** Whether it is an entity of a converter with one of these ids, and not of one whose id is longer. */
+    private boolean isShown(JsonRecord entry, Collection<String> own) throws HomeException, InterruptedException {
+        String unique = entry.text("unique_id", "");
+        if (!"mqtt".equals(entry.text("platform", "")) || own.stream().noneMatch(each -> unique.startsWith(of(each)))) {
+            return false;
+        }
+        String device = Part.at("/device_id").in(entry.copy().toString()).orElse("");
+        for (JsonRecord each : devices()) {
+            if (each.text("id", "").equals(device)) {
+                String identifiers = each.copy().toString();
+                return own.stream()
+                        .anyMatch(converter -> identifiers.contains("[\"mqtt\",\"evoloop_" + converter + "\"]"));
+            }
+        }
+        return true;
+    }
+
+    private static String of(String converter) {
+        return "evoloop_" + converter + "_";
+    }
+
+    /** The devices; none if this Home Assistant cannot be asked. */
+    private List<JsonRecord> devices() throws HomeException, InterruptedException {
+        return registry(new JsonObject().put("type", "config/device_registry/list"))
+                .map(answer -> answer.each("result"))
+                .orElse(List.of());
+    }
+
     /** What the registry says of entities; nothing if this Home Assistant cannot be asked. */
     private JsonRecord entries(Collection<String> ids) throws HomeException, InterruptedException {
-        JsonObject question = new JsonObject()
-                .put("type", "config/entity_registry/get_entries")
-                .putTexts("entity_ids", ids);
+        return registry(new JsonObject()
+                        .put("type", "config/entity_registry/get_entries")
+                        .putTexts("entity_ids", ids))
+                .flatMap(answer -> answer.inner("result"))
+                .orElseGet(() -> JsonRecord.of(NONE));
+    }
+
+    private Optional<JsonRecord> registry(JsonObject question) throws HomeException, InterruptedException {
         try {
-            return session.ask(question, event -> {}).inner("result").orElseGet(() -> JsonRecord.of(NONE));
+            return Optional.of(session.ask(question, event -> {}));
         } catch (HomeException refused) {
-            if (refused.hasCode("unknown_command")) {
-                return JsonRecord.of(NONE);
+            if (refused.hasCode("unknown_command") || refused.isRefusal()) {
+                return Optional.empty();
             }
             throw refused;
         }

@@ -266,8 +266,19 @@ class HomeConnectionTest {
         connection.shownAs("lamp");
         run();
         awaitTrouble("light.lamp is what this converter itself shows in Home Assistant");
+        home.registered("light.lamp", "evoloop_lamp_state", "evoloop_lamp");
+        home.drop();
+        awaitTrouble("light.lamp is what this converter itself shows in Home Assistant");
         home.registered("light.lamp", "evoloop_other_state");
         home.drop();
+        awaitUp();
+    }
+
+    @Test
+    void anotherConverterWhoseIdOnlyBeginsAlikeIsNot() {
+        home.registered("light.lamp", "evoloop_lamp_upstairs_light", "evoloop_lamp_upstairs");
+        connection.shownAs("lamp");
+        run();
         awaitUp();
     }
 

@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.evoloop.device.NodeJson;
+import org.evoloop.device.connection.NodeJson;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
 
