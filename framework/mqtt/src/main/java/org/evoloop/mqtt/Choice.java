@@ -34,11 +34,7 @@ public record Choice(String name, List<String> options, Supplier<String> current
 
     /** The new model, called as its machine, or with its file if two are called so. */
     static Choice among(OfferedModels offered, SystemEventConverter converter) {
-        Map<String, String> references = new LinkedHashMap<>();
-        for (String reference : offered.references()) {
-            String machine = reference.substring(reference.lastIndexOf('#') + 1);
-            references.put(references.containsKey(machine) ? reference : machine, reference);
-        }
+        Map<String, String> references = named(offered);
         return new Choice(
                 "Model",
                 List.copyOf(references.keySet()),
@@ -49,6 +45,16 @@ public record Choice(String name, List<String> options, Supplier<String> current
                         .orElseGet(
                                 () -> converter.knowledge().models().evolved().name()),
                 name -> offered.choose(requireNonNull(references.get(name))));
+    }
+
+    /** What is offered: each model's reference by its name here. */
+    static Map<String, String> named(OfferedModels offered) {
+        Map<String, String> references = new LinkedHashMap<>();
+        for (String reference : offered.references()) {
+            String machine = reference.substring(reference.lastIndexOf('#') + 1);
+            references.put(references.containsKey(machine) ? reference : machine, reference);
+        }
+        return references;
     }
 
     /** Its name in topics and JSON. */

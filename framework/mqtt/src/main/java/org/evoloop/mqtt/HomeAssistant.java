@@ -5,11 +5,13 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Function;
 import org.evoloop.console.Console;
 import org.evoloop.console.OfferedModels;
 import org.evoloop.converter.ConverterListener;
@@ -20,6 +22,7 @@ import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.EventOutcome;
+import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Outcome;
 import org.evoloop.evolution.Values;
@@ -61,6 +64,7 @@ public final class HomeAssistant implements AutoCloseable {
     private final PushMonitor controller = new PushMonitor("HomeAssistant");
     private final LinkedBlockingQueue<Runnable> inbox = new LinkedBlockingQueue<>(MOST_COMMANDS);
     private final List<Choice> choices = new ArrayList<>();
+    private final HomeSettings settings = new HomeSettings();
     /** All readings so far: an entity remains while its device cannot be reached. */
     private final Set<HomeReading> readings = new LinkedHashSet<>();
 
@@ -71,7 +75,9 @@ public final class HomeAssistant implements AutoCloseable {
 
     private final List<HomeEntity> entities = new ArrayList<>();
     private final HomeOperator operator;
+    private final Optional<OfferedModels> offered;
     private boolean reached = true;
+    private HomePictures pictures;
 
     private @Nullable URI page;
     private @Nullable Thread thread;
@@ -79,10 +85,9 @@ public final class HomeAssistant implements AutoCloseable {
 
     /** Shows a console's converter there, and lets one of the {@linkplain OfferedModels models that it offers} be chosen. */
     public HomeAssistant(Console console, BrokerAddress address) {
-        this(console.converters().get(0), address);
+        this(console.converters().get(0), address, console.offeredModels());
         page = console.page().orElse(null);
-        console.offeredModels()
-                .filter(offered -> offered.references().size() > 1)
+        offered.filter(offered -> offered.references().size() > 1)
                 .map(offered -> Choice.among(offered, converter))
                 .ifPresent(choices::add);
     }
@@ -93,6 +98,12 @@ public final class HomeAssistant implements AutoCloseable {
      * @param converter built
      */
     public HomeAssistant(SystemEventConverter converter, BrokerAddress address) {
+        this(converter, address, Optional.empty());
+    }
+
+    private HomeAssistant(SystemEventConverter converter, BrokerAddress address, Optional<OfferedModels> offered) {
+        this.offered = offered;
+        this.pictures = new HomePictures(models -> "", Optional.empty());
         this.converter = converter;
         this.topics = new HomeTopics(address.id(converter.status().name()), address.discovery());
         this.connection = new BrokerConnection(address, "evoloop-" + topics.id());
@@ -111,6 +122,22 @@ public final class HomeAssistant implements AutoCloseable {
         return this;
     }
 
+    /** Adds something that can be set; before {@link #open}. */
+    public HomeAssistant setting(HomeSetting setting) {
+        settings.add(setting);
+        return this;
+    }
+
+    /**
+     * Shows pictures of the new models: of the one that runs, and of those that can be chosen; before {@link #open}.
+     *
+     * @param draw the new model of a pair as SVG; empty for one that cannot be drawn
+     */
+    public HomeAssistant pictures(Function<ModelPair, String> draw) {
+        pictures = new HomePictures(draw, offered);
+        return this;
+    }
+
     /** Starts connecting and showing the converter. */
     public HomeAssistant open() {
         converter.addMonitor(controller);
@@ -125,6 +152,7 @@ public final class HomeAssistant implements AutoCloseable {
         obey(topics.converting(), this::convert);
         obey(topics.promote(), this::beginPromotion);
         entities.forEach(this::obey);
+        obeySettings();
         for (Choice choice : choices) {
             obey(topics.choice(choice.key()), wanted -> {
                 if (!choice.options().contains(wanted)) {
@@ -138,6 +166,30 @@ public final class HomeAssistant implements AutoCloseable {
         thread.start();
         connection.open();
         return this;
+    }
+
+    private void obeySettings() {
+        settings.begin();
+        if (settings.all().isEmpty()) {
+            return;
+        }
+        for (HomeSetting setting : settings.all()) {
+            if (setting.isSet()) {
+                obey(topics.setting(setting.key()), wanted -> keep(settings.set(setting, wanted)));
+            }
+        }
+        connection.subscribe(topics.settings(), message -> {
+            if (message.kind() == Message.Kind.STATE) {
+                keep(settings.restore(message.payload()));
+                look();
+            }
+        });
+    }
+
+    private void keep(String values) {
+        if (!values.isEmpty()) {
+            publish(Message.state(topics.settings(), values));
+        }
     }
 
     private void obey(HomeEntity entity) {
@@ -272,7 +324,8 @@ public final class HomeAssistant implements AutoCloseable {
             publish(Message.state(topics.config(), config(status)));
         }
         publish(Message.state(
-                topics.state(), HomeState.state(status, choices, lastFailure).toString()));
+                topics.state(),
+                HomeState.state(status, choices, settings.shown(), lastFailure).toString()));
         for (HomeEntity entity : entities) {
             if (entity.kind() != HomeKind.EVENT && entity.kind() != HomeKind.BUTTON) {
                 publish(Message.state(
@@ -311,6 +364,11 @@ public final class HomeAssistant implements AutoCloseable {
         }
         readings.forEach(discovery::reading);
         choices.forEach(discovery::choice);
+        settings.all().forEach(discovery::setting);
+        pictures.of(converter.knowledge().models()).forEach(picture -> {
+            discovery.picture(picture.key(), picture.title());
+            publish(Message.state(topics.picture(picture.key()), picture.svg()));
+        });
         return discovery.payload(page);
     }
 

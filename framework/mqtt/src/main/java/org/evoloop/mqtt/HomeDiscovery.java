@@ -206,6 +206,31 @@ final class HomeDiscovery {
                         .put("entity_category", "config"));
     }
 
+    /** A setting; one that is only shown is a time. */
+    HomeDiscovery setting(HomeSetting setting) {
+        return add(setting.platform(), setting.key(), setting.name(), to -> {
+            to.put("state_topic", topics.state())
+                    .put("value_template", "{{ value_json.settings." + setting.key() + " }}");
+            if (!setting.isSet()) {
+                return to.put("device_class", "timestamp");
+            }
+            to.put("command_topic", topics.setting(setting.key()));
+            // Switches are what an owner uses every day.
+            return setting.platform().equals("switch") ? to : to.put("entity_category", "config");
+        });
+    }
+
+    /** The picture of a model. */
+    HomeDiscovery picture(String key, String title) {
+        return add(
+                "image",
+                key,
+                title,
+                image -> image.put("image_topic", topics.picture(key))
+                        .put("content_type", "image/svg+xml")
+                        .put("entity_category", DIAGNOSTIC));
+    }
+
     /** A reading of the device. */
     HomeDiscovery reading(HomeReading reading) {
         return add(reading.platform(), "reading_" + key(reading.name()), reading.title(), sensor -> {

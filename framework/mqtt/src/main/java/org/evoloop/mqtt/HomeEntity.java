@@ -161,8 +161,8 @@ public final class HomeEntity {
         return name;
     }
 
-    /** Its name in topics and JSON. */
-    String key() {
+    /** Its name in topics and JSON, which no other entity of the converter has. */
+    public String key() {
         return name.isEmpty() ? kind.word() : kind.word() + "_" + HomeDiscovery.key(name);
     }
 
@@ -178,6 +178,11 @@ public final class HomeEntity {
             names.add(kind.modeWord() + " " + HomeTable.NO_MODE);
         }
         return names;
+    }
+
+    /** The names of its modes. */
+    public Set<String> modeNames() {
+        return modes.keySet();
     }
 
     Map<String, Set<String>> modes() {

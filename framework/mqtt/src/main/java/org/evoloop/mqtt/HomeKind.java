@@ -196,6 +196,11 @@ public enum HomeKind {
         };
     }
 
+    /** Whether it shows a reading of the device. */
+    public boolean hasReading() {
+        return this == COVER || this == CLIMATE;
+    }
+
     @Nullable
     Command command(String name) {
         return commands.get(name);

@@ -28,7 +28,7 @@ final class HomeState {
     private HomeState() {}
 
     /** The state of converter and device. */
-    static JsonObject state(ConverterStatus status, List<Choice> choices, String lastFailure) {
+    static JsonObject state(ConverterStatus status, List<Choice> choices, JsonObject settings, String lastFailure) {
         JsonObject chosen = new JsonObject();
         choices.forEach(choice -> chosen.put(choice.key(), choice.current().get()));
         ConverterStatus.LinkStatus link = status.link();
@@ -47,7 +47,8 @@ final class HomeState {
                         "next_timer",
                         status.timers().isEmpty() ? null : due(status.timers().get(0)))
                 .put("readings", JsonObject.of(shown(readings(status))))
-                .put("choices", chosen);
+                .put("choices", chosen)
+                .put("settings", settings);
     }
 
     /** The readings of the device; none while it cannot be reached. */

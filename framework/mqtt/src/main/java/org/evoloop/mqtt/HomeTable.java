@@ -26,7 +26,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class HomeTable {
     /** Ends a preset; Home Assistant offers it wherever there are presets. */
-    static final String NO_MODE = "none";
+    public static final String NO_MODE = "none";
 
     private final HomeEntity entity;
     private final StateMachine evolved;

@@ -86,6 +86,21 @@ record HomeTopics(String id, String discovery) {
         return own("choice/" + key + "/set");
     }
 
+    /** Takes the value of a setting. */
+    String setting(String key) {
+        return own("setting/" + key + "/set");
+    }
+
+    /** What the broker keeps of the settings, as JSON. */
+    String settings() {
+        return own("settings");
+    }
+
+    /** A picture, as SVG. */
+    String picture(String key) {
+        return own("picture/" + key);
+    }
+
     /** The discovery topic, from which Home Assistant reads the entities. */
     String config() {
         return discovery + "/device/evoloop_" + id + "/config";

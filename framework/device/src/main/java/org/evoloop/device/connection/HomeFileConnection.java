@@ -33,10 +33,14 @@ import org.evoloop.homeassistant.HomeMonitor;
 import org.evoloop.homeassistant.ServiceCall;
 import org.evoloop.payload.Match;
 import org.evoloop.payload.Meanings;
+import org.evoloop.statemachine.Names;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /** Entities of Home Assistant as a device or a controller, made of a {@link HomeMonitor} and a {@link HomeExecute}. */
 final class HomeFileConnection extends Connection {
+    private static final Logger LOG = LoggerFactory.getLogger(HomeFileConnection.class);
     private static final String TOKEN = "EVOLOOP_HOME_ASSISTANT_TOKEN";
     private static final Duration CONFIRMED = Duration.ofSeconds(5);
 
@@ -51,10 +55,12 @@ final class HomeFileConnection extends Connection {
     private final Set<String> operated = new LinkedHashSet<>();
     private final Set<String> pressing = new LinkedHashSet<>();
     private final Set<ServiceCall> outward = new LinkedHashSet<>();
+    private final List<Consumer<HomeConnection>> expected = new ArrayList<>();
     private Duration confirmed = CONFIRMED;
     private @Nullable Duration asked;
     private @Nullable Duration ready;
     private boolean infers;
+    private String id;
     private volatile @Nullable HomeConnection opened;
 
     private HomeFileConnection(
@@ -68,6 +74,7 @@ final class HomeFileConnection extends Connection {
         this.tokenFile = tokenFile;
         this.entity = entity;
         this.models = models;
+        this.id = models.converter();
     }
 
     static HomeFileConnection read(String name, Section section, FileModels models) {
@@ -82,6 +89,11 @@ final class HomeFileConnection extends Connection {
                     return named;
                 })
                 .orElse(null);
+        if (section.has("token")) {
+            section.problem(
+                    "a token in this file would be seen by everybody who sees the file; write it into another one, "
+                            + "and name that here, as token-file: token");
+        }
         return new HomeFileConnection(name, address, token, entity(section), models);
     }
 
@@ -105,7 +117,39 @@ final class HomeFileConnection extends Connection {
             rule.problem(rule.name() + " needs entity; or give the connection " + name() + " one");
             return null;
         }
-        return new EntityValue(of, attribute);
+        EntityValue value = new EntityValue(of, attribute);
+        Set<Node.Text> texts =
+                rule.has("json") ? Set.of() : rule.pairs("values").keySet();
+        if (attribute == null) {
+            texts.forEach(text -> requireState(rule, of, text));
+        }
+        expected.add(
+                home -> home.expect(value, texts.stream().map(Node.Text::value).toArray(String[]::new)));
+        place(rule, value.toString(), of);
+        return value;
+    }
+
+    /** What is wrong in Home Assistant is said with the line that is about it. */
+    private void place(Section rule, String... keys) {
+        String place = rule.problems().file().getFileName() + ":" + rule.node().line();
+        for (String key : keys) {
+            expected.add(home -> home.placed(key, place));
+        }
+    }
+
+    private static void requireState(Section rule, String of, Node.Text text) {
+        if (text.value().equals("unavailable") || text.value().equals("unknown")) {
+            rule.problems()
+                    .at(
+                            text,
+                            "an entity that is " + text
+                                    + " cannot be reached, which is no state; leave it out, and status shows it");
+            return;
+        }
+        Set<String> known = EntityValue.statesOf(of);
+        if (!known.isEmpty() && !known.contains(text.value())) {
+            rule.problems().at(text, of + " is never '" + text + "'" + Names.hint(text.value(), known));
+        }
     }
 
     @Override
@@ -124,7 +168,9 @@ final class HomeFileConnection extends Connection {
                 how.section("data").map(section -> NodeJson.of(section.node())).orElse("{}");
         how.require("service");
         Optional<ServiceCall> call = how.value("service", service -> new ServiceCall(service, of, data));
+        call.ifPresent(each -> place(how, each.toString()));
         if (of != null) {
+            place(how, of);
             operated.add(of);
             requireNoLoop(how, of);
         }
@@ -180,6 +226,7 @@ final class HomeFileConnection extends Connection {
         EntityValue value = rule.has("trigger") || rule.has("event-type") ? null : valueOf(rule);
         Meanings meanings = meanings(rule, known);
         if (events != null) {
+            place(rule, events.toString());
             rules.add(monitor -> ofEvents.to(monitor, events, meanings));
         } else if (value != null) {
             rules.add(monitor -> ofValue.to(monitor, value, meanings));
@@ -240,13 +287,19 @@ final class HomeFileConnection extends Connection {
     }
 
     @Override
+    public void shownAs(String other) {
+        id = other;
+    }
+
+    @Override
     protected Parts make(SystemEventConverter converter) throws IOException {
         if (address == null) {
             throw new IllegalStateException("the address of " + name() + " was refused");
         }
-        HomeConnection connection = new HomeConnection(address, token()).shownAs(models.converter());
+        HomeConnection connection = new HomeConnection(address, token()).shownAs(id);
         opened = connection;
         outward.forEach(connection::require);
+        expected.forEach(each -> each.accept(connection));
         HomeDevice device = new HomeDevice(connection, converter.clock());
         settings.forEach(each -> each.accept(device));
         HomeMonitor monitor = new HomeMonitor(name(), device);
@@ -276,6 +329,13 @@ final class HomeFileConnection extends Connection {
     private Supplier<String> token() throws IOException {
         Path file = tokenFile;
         if (file != null) {
+            if (Secret.isShared(file)) {
+                LOG.warn(
+                        "all users of this computer may read {}, and whoever has this token operates the house; only its "
+                                + "owner may with: chmod 600 {}",
+                        file,
+                        file);
+            }
             return () -> Secret.read(file);
         }
         String secret = System.getenv(TOKEN);

@@ -70,7 +70,7 @@ final class DeviceCheck {
             out.println("  finding: " + path + ":" + entity.line() + ": " + entity.name() + ", " + row);
         }
         if (!wrong.isEmpty()) {
-            out.println("  fix: allow it there with never-in, or let it through with may-pass");
+            out.println("  fix: refuse it there with never-in, or let it pass with may-pass");
         }
         return wrong.isEmpty();
     }
