@@ -49,17 +49,22 @@ final class DayPlan {
     List<HomeSetting> settings(Clock clock, boolean waits) {
         List<HomeSetting> settings = new ArrayList<>();
         if (waits) {
-            settings.add(HomeSetting.time("Quiet from", quiet::from, quiet::begin));
-            settings.add(HomeSetting.time("Quiet until", quiet::until, quiet::end));
+            settings.add(
+                    HomeSetting.time("Quiet from", quiet::from, quiet::begin).icon("mdi:weather-night"));
+            settings.add(
+                    HomeSetting.time("Quiet until", quiet::until, quiet::end).icon("mdi:weather-sunset-up"));
         }
         TimetableMonitor monitor = timetable;
         if (monitor != null) {
-            settings.add(HomeSetting.onOff("Schedule", monitor::isOn, monitor::setOn));
-            settings.add(HomeSetting.text("Clean at", this::text, text -> clean(monitor, text)));
+            settings.add(
+                    HomeSetting.onOff("Schedule", monitor::isOn, monitor::setOn).icon("mdi:calendar-clock"));
+            settings.add(HomeSetting.text("Clean at", this::text, text -> clean(monitor, text))
+                    .icon("mdi:clock-edit"));
             settings.add(HomeSetting.onOff(
                             "Skip the next",
                             () -> monitor.skipped(clock.wallTime()).isPresent(),
                             skip -> skipNext(monitor, skip, clock.wallTime()))
+                    .icon("mdi:skip-next")
                     .keptAs(
                             () -> monitor.skipped(clock.wallTime())
                                     .map(Instant::toString)

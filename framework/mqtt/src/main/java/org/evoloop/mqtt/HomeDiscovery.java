@@ -210,7 +210,8 @@ final class HomeDiscovery {
     HomeDiscovery setting(HomeSetting setting) {
         return add(setting.platform(), setting.key(), setting.name(), to -> {
             to.put("state_topic", topics.state())
-                    .put("value_template", "{{ value_json.settings." + setting.key() + " }}");
+                    .put("value_template", "{{ value_json.settings." + setting.key() + " }}")
+                    .putSome("icon", setting.icon());
             if (!setting.isSet()) {
                 return to.put("device_class", "timestamp");
             }

@@ -33,6 +33,7 @@ public final class HomeSetting {
     private final @Nullable Consumer<String> set;
     private final Supplier<String> kept;
     private final Consumer<String> restored;
+    private final String icon;
 
     private HomeSetting(
             String name,
@@ -40,17 +41,19 @@ public final class HomeSetting {
             Supplier<@Nullable String> shown,
             @Nullable Consumer<String> set,
             Supplier<String> kept,
-            Consumer<String> restored) {
+            Consumer<String> restored,
+            String icon) {
         this.name = name;
         this.platform = platform;
         this.shown = shown;
         this.set = set;
         this.kept = kept;
         this.restored = restored;
+        this.icon = icon;
     }
 
     private HomeSetting(String name, String platform, Supplier<String> shown, Consumer<String> set) {
-        this(name, platform, shown, set, shown, set);
+        this(name, platform, shown, set, shown, set, "");
     }
 
     /**
@@ -102,7 +105,7 @@ public final class HomeSetting {
     /** A time that is only shown, such as that of the next start. */
     public static HomeSetting moment(String name, Supplier<Optional<Instant>> now) {
         return new HomeSetting(
-                name, "sensor", () -> now.get().map(Instant::toString).orElse(null), null, () -> "", nothing -> {});
+                name, "sensor", () -> now.get().map(Instant::toString).orElse(null), null, () -> "", nothing -> {}, "");
     }
 
     /**
@@ -112,11 +115,25 @@ public final class HomeSetting {
      * @param restore receives it after a restart
      */
     public HomeSetting keptAs(Supplier<String> other, Consumer<String> restore) {
-        return new HomeSetting(name, platform, shown, set, other, restore);
+        return new HomeSetting(name, platform, shown, set, other, restore, icon);
+    }
+
+    /**
+     * Has another icon: on a narrow card, an owner sees little of a name.
+     *
+     * @param other as Home Assistant calls it, such as {@code mdi:weather-night}
+     */
+    public HomeSetting icon(String other) {
+        return new HomeSetting(name, platform, shown, set, kept, restored, other);
     }
 
     String name() {
         return name;
+    }
+
+    /** Empty for the usual one. */
+    String icon() {
+        return icon;
     }
 
     /** Its name in topics and JSON. */

@@ -22,6 +22,7 @@ final class DiscoverySchema {
             "platform",
             "unique_id",
             "default_entity_id",
+            "icon",
             "name",
             "entity_category",
             "device_class",

@@ -45,7 +45,8 @@ class HomeSettingsTest {
         times = "09:00";
         lamp = new Lamp();
         home = new HomeAssistant(lamp.converter, BrokerAddress.parse(broker.url()))
-                .setting(HomeSetting.time("Quiet from", () -> quiet, time -> quiet = time))
+                .setting(HomeSetting.time("Quiet from", () -> quiet, time -> quiet = time)
+                        .icon("mdi:weather-night"))
                 .setting(HomeSetting.onOff("Schedule", () -> on, wanted -> on = wanted))
                 .setting(HomeSetting.text("Clean at", () -> times, this::clean))
                 .setting(HomeSetting.moment("Next start", () -> Optional.of(Instant.parse("2026-11-29T09:00:00Z"))))
