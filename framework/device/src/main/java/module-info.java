@@ -1,5 +1,4 @@
 /** Device files: how a device and its controller are connected, without Java. */
-@SuppressWarnings("module") // which modules there are is not known here
 module org.evoloop.device {
     requires static org.jspecify;
     requires transitive org.evoloop.core;
@@ -22,8 +21,6 @@ module org.evoloop.device {
     requires org.snakeyaml.engine;
 
     exports org.evoloop.device;
-    exports org.evoloop.device.connection to
-            org.evoloop.models;
     exports org.evoloop.device.file;
 
     uses org.evoloop.device.ConnectionKind;

@@ -6,7 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.evoloop.converter.TimetableMonitor;
-import org.evoloop.mqtt.HomeSetting;
+import org.evoloop.mqtt.home.HomeSetting;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 

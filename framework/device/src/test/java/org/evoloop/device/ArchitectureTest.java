@@ -22,6 +22,7 @@ class ArchitectureTest {
             .resideOutsideOfPackages(
                     "org.evoloop.device.file..",
                     "org.evoloop.config..",
+                    "org.evoloop.payload..",
                     "org.evoloop.statemachine..",
                     "org.snakeyaml..",
                     "org.jspecify..",

@@ -203,7 +203,8 @@ public final class BrokerAddress {
         return id == null ? converter.replaceAll("[^A-Za-z0-9_-]", "_") : id;
     }
 
-    String discovery() {
+    /** The prefix of the topics where Home Assistant looks for devices. */
+    public String discovery() {
         return parameters.getOrDefault("discovery", "homeassistant");
     }
 

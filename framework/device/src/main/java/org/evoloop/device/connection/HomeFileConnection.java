@@ -22,6 +22,7 @@ import org.evoloop.device.FileModels;
 import org.evoloop.device.Outward;
 import org.evoloop.device.Parts;
 import org.evoloop.device.file.Node;
+import org.evoloop.device.file.NodeJson;
 import org.evoloop.device.file.Section;
 import org.evoloop.homeassistant.EntityValue;
 import org.evoloop.homeassistant.HomeAddress;

@@ -12,7 +12,7 @@ import org.evoloop.device.DeviceFile;
 import org.evoloop.device.DeviceProgram;
 import org.evoloop.device.HomeSection;
 import org.evoloop.device.Scenario;
-import org.evoloop.mqtt.HomeTable;
+import org.evoloop.mqtt.home.HomeTable;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.testkit.ConverterHarness;

@@ -7,8 +7,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.evoloop.device.connection.NodeJson;
 import org.evoloop.device.file.Node;
+import org.evoloop.device.file.NodeJson;
 import org.evoloop.device.file.Section;
 
 /** Entities of Home Assistant: the kind {@code home-assistant}. */

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.models.chart.ArcLabel;
 import org.evoloop.models.chart.ChartIndex;
 import org.evoloop.models.diagram.Around;
 import org.evoloop.models.diagram.ChartDiagram;
@@ -101,6 +102,7 @@ final class Pictures {
                     .put("id", shown.id(arc))
                     .put("source", index.name(arc.source()))
                     .put("event", String.join(", ", arc.triggers()))
+                    .put("trigger", ArcLabel.triggers(arc))
                     .put("guard", arc.guard())
                     .putTexts("effects", arc.effects())
                     .put("target", index.name(arc.target()))

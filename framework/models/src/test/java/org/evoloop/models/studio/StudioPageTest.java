@@ -434,6 +434,24 @@ class StudioPageTest {
     }
 
     @Test
+    void aKeywordStaysAndAGuardIsUnderstoodWhereTheEventIsWritten() throws Exception {
+        Files.writeString(
+                folder.resolve("lamp.md"), LAMP.replace("on --> off : switch", "on --> off : «spontaneous» burnt"));
+        window.open();
+        window.awaitState("new", "wait");
+        go(8);
+        browser.await("document.querySelector('#trigger')?.value === '«spontaneous» burnt'");
+        window.focus("#trigger");
+        browser.evaluate("document.querySelector('#trigger').setSelectionRange(99, 99)");
+        browser.type(" out");
+        browser.enter();
+        window.awaitArrow("original", "on", "off", "burnt out");
+        assertThat(window.text()).contains("on --> off : «spontaneous» burnt out");
+        window.drag("new", "on", "wait", "wink [dark]", "wink");
+        assertThat(window.text()).contains("on --> wait : wink [dark]");
+    }
+
+    @Test
     void theKeyboardAloneSuffices() throws Exception {
         lamp();
         window.focus(".view[data-side=\"new\"] .port");

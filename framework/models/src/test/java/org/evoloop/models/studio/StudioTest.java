@@ -277,6 +277,18 @@ class StudioTest {
     }
 
     @Test
+    void ofSeveralProblemsTheFirstIsSaidOnItsLine() throws Exception {
+        String text = LAMP.replace("    warm --> off : switch\n", "    warm -> off\n    warm => off\n");
+        JsonNode mistake =
+                post("/api/draw", Map.of("pair", pair(text))).path("new").path("mistake");
+        assertThat(mistake.path("line").asInt()).isEqualTo(21);
+        assertThat(mistake.path("message").asString()).contains("-->").doesNotContain("problems");
+        JsonNode findings = post("/api/check", Map.of("pair", pair(text))).path("findings");
+        assertThat(findings.valueStream().map(each -> each.path("line").asInt()))
+                .containsExactly(21, 22);
+    }
+
+    @Test
     void theOverviewClosesStatesAndAStateHasItsSurroundings() throws Exception {
         String text =
                 "stateDiagram-v2\n [*] --> A\n state A {\n  [*] --> In\n  In --> In2 : e\n }\n A --> B : f\n A --> B : g\n B --> C : h\n";

@@ -135,10 +135,15 @@ final class StudioWindow implements AutoCloseable {
 
     /** Drags an arrow from the ring of a state to another state. */
     void drag(String side, String source, String target, String event) {
+        drag(side, source, target, event, event);
+    }
+
+    /** @param event that the arrow has when {@code typed} is typed */
+    void drag(String side, String source, String target, String typed, String event) {
         pick(side, source);
         browser.drag(port(side) + ".handle", state(side, target) + " .box");
         browser.await("document.activeElement.id === 'new-event'");
-        browser.type(event);
+        browser.type(typed);
         browser.enter();
         awaitArrow(side, source, target, event);
     }

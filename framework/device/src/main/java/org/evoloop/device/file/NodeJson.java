@@ -1,8 +1,7 @@
-package org.evoloop.device.connection;
+package org.evoloop.device.file;
 
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import org.evoloop.device.file.Node;
 import org.evoloop.payload.JsonObject;
 
 /**

@@ -1,4 +1,4 @@
-package org.evoloop.mqtt;
+package org.evoloop.mqtt.home;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
@@ -13,6 +13,11 @@ import java.util.Set;
 import org.evoloop.Logged;
 import org.evoloop.console.Console;
 import org.evoloop.console.NewModels;
+import org.evoloop.mqtt.BrokerAddress;
+import org.evoloop.mqtt.BrokerConnection;
+import org.evoloop.mqtt.Lamp;
+import org.evoloop.mqtt.Mosquitto;
+import org.evoloop.mqtt.Watcher;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

@@ -1,4 +1,4 @@
-package org.evoloop.mqtt;
+package org.evoloop.mqtt.home;
 
 import static java.util.Objects.requireNonNull;
 import static org.assertj.core.api.Assertions.assertThat;
@@ -12,7 +12,7 @@ import java.util.Set;
 import java.util.stream.Stream;
 import org.evoloop.Machines;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.mqtt.HomeTable.Deed;
+import org.evoloop.mqtt.home.HomeTable.Deed;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;

@@ -1,4 +1,4 @@
-package org.evoloop.mqtt;
+package org.evoloop.mqtt.home;
 
 import java.util.List;
 import java.util.Locale;
@@ -9,6 +9,7 @@ import org.evoloop.converter.Shadow;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.LoopState;
+import org.evoloop.mqtt.BrokerConnection;
 import org.evoloop.payload.JsonObject;
 
 /** A converter's status as it is published: JSON, with the keys that {@link HomeDiscovery} names in its templates. */

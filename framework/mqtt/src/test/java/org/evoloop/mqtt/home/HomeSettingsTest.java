@@ -1,4 +1,4 @@
-package org.evoloop.mqtt;
+package org.evoloop.mqtt.home;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -8,6 +8,10 @@ import java.time.LocalTime;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.evoloop.mqtt.BrokerAddress;
+import org.evoloop.mqtt.Lamp;
+import org.evoloop.mqtt.Mosquitto;
+import org.evoloop.mqtt.Watcher;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

@@ -1,4 +1,4 @@
-package org.evoloop.mqtt;
+package org.evoloop.mqtt.home;
 
 import java.time.Instant;
 import java.time.LocalTime;

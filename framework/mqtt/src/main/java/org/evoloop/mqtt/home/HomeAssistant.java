@@ -1,4 +1,4 @@
-package org.evoloop.mqtt;
+package org.evoloop.mqtt.home;
 
 import java.net.URI;
 import java.time.Duration;
@@ -29,6 +29,10 @@ import org.evoloop.evolution.Values;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.Failure;
 import org.evoloop.loop.LoopState;
+import org.evoloop.mqtt.BrokerAddress;
+import org.evoloop.mqtt.BrokerConnection;
+import org.evoloop.mqtt.Message;
+import org.evoloop.mqtt.Told;
 import org.evoloop.payload.JsonObject;
 import org.evoloop.statemachine.State;
 import org.evoloop.time.Threads;
