@@ -238,7 +238,9 @@ KNOWN = [
     Known("./evoloop ctl my-fan status", why_not=FOLLOWED),
     Known("./evoloop ctl my-fan exit", why_not=FOLLOWED),
     typed("./evoloop new heater", shows="wrote heater/heater.yaml"),
+    Known("./evoloop learn", run="./evoloop learn --help", shows="--output"),
     Known("./evoloop studio", run="./evoloop studio --help", shows="--port"),
+    Known("./evoloop studio my-fan", run="./evoloop studio --help", shows="--port"),
     Known("./evoloop studio models --port 8091", run="./evoloop studio --help", shows="--token-file"),
     Known(
         "./evoloop learn --from-journal journal --output fan.mmd",
@@ -270,6 +272,7 @@ KNOWN = [
     typed("./evoloop run --help", shows="--simulate"),
     Known("./evoloop run heater/heater.yaml", why_not="needs the device, which nobody has"),
     typed("./evoloop check devices/light-bulb/light-bulb.yaml", shows="passed: switched twice it gives a warm light"),
+    typed("./evoloop run devices/light-bulb/light-bulb.yaml", input="start\npress switch\nexit\n"),
     typed("./evoloop run devices/light-bulb/light-bulb.yaml --simulate", input="start\npress switch\nexit\n"),
     typed("./evoloop check devices/roomba/roomba.yaml", shows="passed: it drives to the spot before it cleans there"),
     typed("./evoloop run devices/roomba/roomba.yaml --simulate", input="start\nrobot press clean\nexit\n"),
@@ -295,7 +298,6 @@ KNOWN = [
     typed("./evoloop new bedroom-light --from zigbee-bulb", shows="wrote bedroom-light/bedroom-light.yaml"),
     Known("./evoloop check devices/NAME/NAME.yaml", run="./evoloop check devices/fan/fan.yaml"),
     typed("./evoloop models check models/README.md#original models/README.md#new"),
-    typed("./evoloop models check README.md#original README.md#new"),
     typed("./evoloop models show models/roomba.xml --format mermaid > roomba.md"),
     typed("./evoloop models flatten models/light-bulb.xml#new --format scxml", shows='<state id="incandescentOn">'),
     typed("./evoloop models check docs/fan/fan.uml#original docs/fan/fan.uml#new", shows="swallowed-event"),
@@ -329,6 +331,7 @@ KNOWN = [
     Known("./evoloop bench", why_not="takes 15 to 20 minutes; --quick does the same with fewer rounds"),
     typed("./evoloop bench --quick", slow=True, shows="decision"),
     Known("./evoloop bench --only file", run="./evoloop bench --quick --only file", slow=True),
+    Known("./evoloop bench --only studio", run="./evoloop bench --quick --only studio", slow=True),
     Known("./evoloop bench --only ring", run="./evoloop bench --quick --only ring", slow=True),
     Known("./evoloop bench --json FILE", run="./evoloop bench --quick --only loading --json rows.json", slow=True),
     Known(
@@ -395,6 +398,7 @@ KNOWN = [
         why_not="MODULE and NAME are placeholders for tests that run anyway",
     ),
     typed("./mvnw -pl framework/check -am -Dslow -Dtest=CheckGrowthTest -Dsurefire.failIfNoSpecifiedTests=false test", slow=True),
+    typed("./mvnw -pl framework/models -am -Dslow -Dtest=TypingTest -Dsurefire.failIfNoSpecifiedTests=false test", slow=True),
     typed("./mvnw -pl framework/page -am -Dslow -Dtest=LitTimeTest -Dsurefire.failIfNoSpecifiedTests=false test", slow=True),
     Known(
         "./mvnw -pl roomba-converter -am -Dslow -Dsurefire.failIfNoSpecifiedTests=false -Dtest=NAME test",

@@ -18,6 +18,7 @@ import org.evoloop.benchmarks.report.Suite;
 import org.evoloop.benchmarks.report.Table;
 import org.evoloop.benchmarks.ring.RingSuite;
 import org.evoloop.benchmarks.running.RunningSuite;
+import org.evoloop.benchmarks.studio.StudioSuite;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -36,7 +37,8 @@ public final class Main implements Callable<Integer> {
             new RunningSuite(),
             new LoadingSuite(),
             new DeviceSuite(),
-            new FileSuite());
+            new FileSuite(),
+            new StudioSuite());
 
     @Option(names = "--quick", description = "Takes less than ten minutes; the figures are rougher.")
     private boolean quick;
@@ -45,7 +47,7 @@ public final class Main implements Callable<Integer> {
             names = "--only",
             paramLabel = "SUITE",
             split = ",",
-            description = "Only these: decision, ring, running, loading, device, file (default: all).")
+            description = "Only these: decision, ring, running, loading, device, file, studio (default: all).")
     private List<String> only = new ArrayList<>();
 
     @Option(names = "--json", paramLabel = "FILE", description = "Writes the rows to FILE as well.")

@@ -122,6 +122,13 @@ public abstract class Connection {
         return null;
     }
 
+    /**
+     * The converter is shown in Home Assistant under this name at its broker; called before {@link #assemble}.
+     *
+     * @param id of the converter there, by which a connection knows what is its own
+     */
+    public void shownAs(String id) {}
+
     /** Whether it is only played: nothing is ever sent over it, since no components have been made. */
     public final boolean isPlayed() {
         return !assembled;

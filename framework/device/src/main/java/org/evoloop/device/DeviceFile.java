@@ -354,7 +354,7 @@ public final class DeviceFile {
             });
             functionsAndEffects();
             file.section("learn").ifPresent(learn -> learning = LearnSection.read(learn, models, readings));
-            file.section("home-assistant").ifPresent(section -> home = HomeSection.read(section, models));
+            file.section("home-assistant").ifPresent(section -> home = HomeSection.read(section, models, readings));
             file.section("scenarios").ifPresent(all -> scenarios.addAll(Scenario.read(all, models, home)));
             programOptions.names().forEach(this::option);
             programOptions.check(options, file.problems()::at);

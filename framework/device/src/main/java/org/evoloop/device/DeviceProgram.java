@@ -90,6 +90,9 @@ public final class DeviceProgram {
             links = Wiring.simulate(file, setup.converter(), parts -> add(parts, setup))
                     .orElseGet(() -> play(setup));
         } else {
+            MqttOptions.broker(setup.settings())
+                    .map(broker -> broker.id(file.name()))
+                    .ifPresent(id -> file.connections().forEach(connection -> connection.shownAs(id)));
             links = Wiring.add(file, setup.converter(), parts -> add(parts, setup));
         }
         file.guards().attach(setup.clock(), links);

@@ -2,7 +2,8 @@
 //
 // The SVG has no colours: style.css gives them by class. A state is a .state with data-state, a .box and a .name; an arrow is a
 // .transition with data-source and data-target, and one .event for each text, with data-event, too. A text's data-line (its line in
-// the file) and data-id are only passed on. What is lit gets a class: now, doubt, was, held (states); taken, plan, may, found (arrows).
+// the file) and data-id are only passed on. What is lit gets a class: now, doubt, was, held (states); taken, plan, may (arrows); wrong,
+// warned (both).
 export const LEGIBLE = 0.77; // 13 px of the drawing as 10 px on the screen
 const LARGEST = 1.1;
 const SVG = 'http://www.w3.org/2000/svg';
@@ -33,11 +34,13 @@ export class Drawing {
   #place;
   #svg = null;
   #whole = [1, 1];
+  #size = [1, 1]; // of the window, in pixels
   #scale = 1;
   #centre = [0, 0];
   #focus = null; // the state that is kept in view
   #moved = false; // by hand, so that nothing else moves it
   #picked = () => {};
+  #mini = made('svg', { class: 'mini', 'aria-hidden': 'true' }); // all of it, small, with the window
 
   // place: an element of class "port". Buttons with data-zoom (in, out, fit, now) in the same .view belong to it. most: the height
   // in pixels up to which it grows with the drawing; without it, the page decides on the height.
@@ -46,7 +49,10 @@ export class Drawing {
     this.#place = place;
     this.most = most;
     place.tabIndex = 0;
-    new ResizeObserver(() => this.#settle()).observe(place);
+    new ResizeObserver(() => {
+      this.#measure();
+      this.#settle();
+    }).observe(place);
     place.addEventListener('pointerdown', down => this.#drag(down));
     place.addEventListener('wheel', wheel => {
       if (!wheel.ctrlKey) return; // the page scrolls as usual
@@ -58,6 +64,9 @@ export class Drawing {
       const found = click.target.closest('.state, .event, .transition');
       if (found && this.#svg?.contains(found)) this.#picked(found.dataset, click);
     });
+    place.closest('.view')?.querySelector('.zoom')?.before(this.#mini);
+    this.#mini.addEventListener('pointerdown', down => this.#jump(down));
+    this.#mini.classList.add('all');
     for (const button of all('[data-zoom]', place.closest('.view') ?? place)) {
       button.addEventListener('click', () => this[{ in: 'larger', out: 'smaller', fit: 'fit', now: 'reset' }[button.dataset.zoom]]());
     }
@@ -88,6 +97,7 @@ export class Drawing {
     this.#svg = drawn;
     this.#whole = [box[2], box[3]];
     this.#place.append(drawn);
+    this.#outline();
     if (keep && this.#moved) this.#at(...this.#centre);
     else this.reset();
   }
@@ -95,6 +105,33 @@ export class Drawing {
   clear() {
     this.#svg?.remove();
     this.#svg = null;
+    this.#mini.classList.add('all');
+  }
+
+  // The states without their names, and where the window is.
+  #outline() {
+    const boxes = all('.composite > .box, .state > .box', this.#svg).map(drawn => {
+      const box = drawn.cloneNode();
+      box.classList.toggle('added', drawn.parentNode.classList.contains('added'));
+      box.dataset.of = drawn.parentNode.dataset.state ?? '';
+      return box;
+    });
+    this.#mini.setAttribute('viewBox', `0 0 ${this.#whole.join(' ')}`);
+    this.#mini.replaceChildren(...boxes, made('rect', { class: 'win' }));
+  }
+
+  #jump(down) { // to where it is pressed, and on while it is dragged
+    if (down.button > 0) return;
+    down.preventDefault();
+    this.#mini.setPointerCapture(down.pointerId);
+    const move = event => {
+      const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.#mini.getScreenCTM().inverse());
+      this.#moved = true;
+      this.#at(x, y);
+    };
+    move(down);
+    this.#mini.onpointermove = move;
+    this.#mini.onlostpointercapture = () => { this.#mini.onpointermove = null; };
   }
 
   // Marks the states of these names with a class, and no others. The first becomes what is kept in view if the class is now or doubt.
@@ -102,6 +139,7 @@ export class Drawing {
     if (!this.#svg) return;
     const wanted = new Set(names);
     for (const one of all('.state', this.#svg)) one.classList.toggle(tone, wanted.has(one.dataset.state));
+    for (const one of all('.box', this.#mini)) one.classList.toggle(tone, wanted.has(one.dataset.of));
     for (const frame of all('.frame', this.#svg)) frame.classList.toggle('in', all('.state.now', frame.parentNode).length > 0);
     if (tone === 'now' || tone === 'doubt') this.#keepInView(names[0]);
   }
@@ -178,7 +216,8 @@ export class Drawing {
     this.#settle();
   }
 
-  get #size() { return [this.#place.clientWidth || 1, this.#place.clientHeight || 1]; }
+  // Asked for only if it has changed, since the browser would have to lay out a new drawing before it answers.
+  #measure() { this.#size = [this.#place.clientWidth || 1, this.#place.clientHeight || 1]; }
 
   #fitting() { return Math.min(this.#size[0] / this.#whole[0], this.#size[1] / this.#whole[1]); }
 
@@ -186,14 +225,18 @@ export class Drawing {
     if (!this.#svg) return;
     if (this.most) {
       const scale = Math.min(LARGEST, Math.max(LEGIBLE, this.#size[0] / this.#whole[0]));
-      this.#place.style.height = `${Math.min(this.most, Math.max(140, Math.ceil(this.#whole[1] * scale) + 8))}px`;
+      const height = `${Math.min(this.most, Math.max(140, Math.ceil(this.#whole[1] * scale) + 8))}px`;
+      if (this.#place.style.height !== height) {
+        this.#place.style.height = height;
+        this.#measure();
+      }
     }
     if (this.#moved) {
       this.#at(...this.#centre);
       return;
     }
     this.#scale = Math.min(LARGEST, Math.max(this.#fitting(), LEGIBLE));
-    const focus = this.#focus && this.#state(this.#focus);
+    const focus = this.#focus ? this.#state(this.#focus) : this.#svg.querySelector('.pseudostate'); // where it begins
     this.#at(...(focus ? this.#middle(focus) : this.#whole.map(one => one / 2)));
   }
 
@@ -209,6 +252,12 @@ export class Drawing {
     more('--r', from[0] + seen[0] < this.#whole[0] - 8);
     more('--u', from[1] > 8);
     more('--d', from[1] + seen[1] < this.#whole[1] - 8);
+    const inside = from.every((at, axis) => at <= 8 && at + seen[axis] >= this.#whole[axis] - 8);
+    this.#mini.classList.toggle('all', inside); // its place stays, so that no control moves
+    const win = this.#mini.lastElementChild;
+    const low = from.map(at => Math.max(0, at));
+    const high = from.map((at, axis) => Math.min(this.#whole[axis], at + seen[axis]));
+    for (const [name, value] of Object.entries({ x: low[0], y: low[1], width: high[0] - low[0], height: high[1] - low[1] })) win.setAttribute(name, value.toFixed(1));
   }
 
   #drag(down) {

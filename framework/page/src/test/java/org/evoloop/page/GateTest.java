@@ -138,7 +138,11 @@ class GateTest {
     @Test
     void aForeignHostNameThatLeadsHereIsRefused() throws IOException {
         for (String path : new String[] {"/", "/about", "/events", "/history"}) {
-            assertThat(ask("GET", path, "", "Host: evil.example")).as(path).startsWith("HTTP/1.1 403");
+            assertThat(ask("GET", path, "", "Host: evil.example"))
+                    .as(path)
+                    .startsWith("HTTP/1.1 403")
+                    .contains("use the address that the program has printed")
+                    .doesNotContain("--page");
         }
         assertThat(ask("GET", "/about", "", "Host: localhost:" + shown.page.port()))
                 .startsWith("HTTP/1.1 200");

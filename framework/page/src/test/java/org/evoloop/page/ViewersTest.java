@@ -240,7 +240,7 @@ class ViewersTest {
         try (Shown another = new Shown(List.of(broken))) {
             for (int i = 0; i < 100; i++) {
                 try (Viewer viewer = new Viewer(another, "GET /picture HTTP/1.1\r\nHost: localhost\r\n\r\n")) {
-                    assertThat(viewer.lines.readLine()).isNull();
+                    assertThat(viewer.lines.readLine()).isEqualTo("HTTP/1.1 500 Internal Server Error");
                 }
             }
             try (Viewer viewer = new Viewer(another, "GET /about HTTP/1.1\r\nHost: localhost\r\n\r\n")) {

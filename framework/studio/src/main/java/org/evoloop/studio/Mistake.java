@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
  * @param column from 1; 1 if it is not known
  */
 public record Mistake(String path, int line, int column, String message) {
-    private static final Pattern OF_MACHINE = Pattern.compile("(?s).*? has (?:a problem|\\d+ problems): *(\\S.*)");
+    private static final Pattern OF_MACHINE = Pattern.compile("(?s).*? has (?:a problem|\\d+ problems):\\s*(\\S.*)");
     private static final Pattern PLACED = Pattern.compile("line (\\d{1,9})(?:, [^:]*)?: (?:column (\\d{1,9}): )?(.*)");
     private static final Pattern OF_FILE = Pattern.compile("(?s).*?\\bline (\\d{1,9})(?:,? column (\\d{1,9}))?\\b.*");
 

@@ -24,7 +24,6 @@ import org.evoloop.xmi.XmiMachine;
  * <p>Threading: thread-safe.
  */
 final class Routes {
-    private static final int INTERNAL_ERROR = 500;
     private static final String CONVERTERS = "/api/converters/";
 
     private final Folder folder;
@@ -72,7 +71,7 @@ final class Routes {
             status = RequestException.BAD;
             answer = new JsonObject().put("error", senseless.getMessage());
         } catch (StackOverflowError | OutOfMemoryError tooMuch) {
-            status = INTERNAL_ERROR;
+            status = Answer.FAILED;
             answer = new JsonObject().put("error", "the models are too large for this");
         }
         Answer.send(exchange, status, "application/json", answer.toBytes());

@@ -198,7 +198,7 @@ final class Trial implements AutoCloseable {
                         .put("after", next.toMillis() + " ms")
                         .put("target", "")
                         .putTexts("sent", List.of())
-                        .put("words", "let " + next.toMillis() + " ms pass, when something is due")));
+                        .put("words", "until something is due")));
         return new JsonObject()
                 .put("states", states())
                 .put("time", passed.toMillis() + " ms")

@@ -2,6 +2,8 @@
 import { $, make } from './dom.js';
 
 const LINE = 21; // pixels, as in studio.css
+const SEVERITIES = ['error', 'warning', 'note']; // the worst first
+const TONES = { error: 'bad', warning: 'warn', note: 'soft' };
 
 // What a line is made of, by the kind of file: patterns with their classes. Only colours depend on it.
 const PARTS = [
@@ -78,7 +80,7 @@ export class Editor {
     for (const { line, severity, message } of marks) {
       const there = this.#marks.get(line);
       this.#marks.set(line, {
-        severity: there?.severity === 'error' || severity === 'error' ? 'error' : 'warning',
+        severity: SEVERITIES.find(one => one === there?.severity || one === severity),
         messages: [...(there?.messages ?? []), message],
       });
     }
@@ -123,7 +125,7 @@ export class Editor {
     const mark = this.#marks.get(this.#at);
     const text = mark ? `Line ${this.#at}: ${mark.messages.join(' · ')}` : '';
     if (this.#told.textContent !== text) this.#told.textContent = text;
-    this.#told.className = `told ${mark ? (mark.severity === 'error' ? 'bad' : 'warn') : ''}`;
+    this.#told.className = `told ${TONES[mark?.severity] ?? ''}`;
   }
 
   #indent(key) { // a new line begins as far in as the one before
@@ -144,7 +146,7 @@ export class Editor {
       if (this.#shown[index] === text && this.#lines.children[index]) return;
       const mark = this.#marks.get(index + 1);
       const row = make('div', {}, make('span.no', {}, String(index + 1)), make('span.t', {}, coloured(text, parts)));
-      if (mark) row.append(make(`span.note.${mark.severity === 'error' ? 'bad' : 'warn'}`, {}, mark.messages[0]));
+      if (mark) row.append(make(`span.says.${TONES[mark.severity]}`, {}, mark.messages[0]));
       row.className = `${mark?.severity ?? ''} ${index + 1 === this.#at ? 'at' : ''}`;
       const there = this.#lines.children[index];
       if (there) there.replaceWith(row);

@@ -49,11 +49,13 @@ export class Files {
 
   selects(chosen) {
     const machines = this.machines();
+    const files = new Set(machines.map(([path]) => path)).size;
+    const named = ([path, name]) => (!name ? path : files > 1 ? `${name} in ${path}` : name);
     for (const side of ['new', 'original']) {
       const select = $(`.view[data-side="${side}"] figcaption select`);
       if (document.activeElement === select) continue;
       const value = JSON.stringify([chosen[side]?.path, chosen[side]?.name ?? '']);
-      select.replaceChildren(...(chosen[side] ? [] : [make('option', { value: '[]' }, 'none yet')]), ...machines.map(one => make('option', { value: JSON.stringify(one) }, one[1] ? `${one[0]}#${one[1]}` : one[0])));
+      select.replaceChildren(...(chosen[side] ? [] : [make('option', { value: '[]' }, 'none yet')]), ...machines.map(one => make('option', { value: JSON.stringify(one) }, named(one))));
       select.value = chosen[side] ? value : '[]';
       select.hidden = machines.length < 2;
     }

@@ -1,7 +1,7 @@
 // What was found: a list, and counts by severity.
 import { $, button, make } from './dom.js';
 
-const WORDS = { error: ['bad', 'Error'], warning: ['warn', 'Warning'], info: ['soft', 'Note'] };
+const WORDS = { error: ['bad', 'Error'], warning: ['warn', 'Warning'], note: ['soft', 'Note'] };
 
 export function pills(findings) {
   const count = severity => findings.filter(one => one.severity === severity).length;
@@ -11,7 +11,7 @@ export function pills(findings) {
 
 // One finding, with what one can do: go to its line, or see the run that shows it.
 export function entry(finding, { go, play }) {
-  const [tone, word] = WORDS[finding.severity] ?? WORDS.info;
+  const [tone, word] = WORDS[finding.severity] ?? WORDS.note;
   return make(`article.finding.${finding.severity}`, {},
     make('b', {}, make(`span.${tone}`, {}, word), ` · ${finding.message}`),
     ...(finding.why ? [make('span', {}, finding.why)] : []),
@@ -23,10 +23,10 @@ export function entry(finding, { go, play }) {
 export class Findings {
   #place = $('#findings');
 
-  show(findings, actions, tooLarge) {
+  show(findings, actions, unchecked) {
     $('#counts').replaceChildren(...pills(findings));
     $('#views [data-show="findings"]').classList.toggle('bad', findings.some(one => one.severity === 'error'));
-    this.#place.replaceChildren(...(tooLarge ? [make('p.banner', {}, make('span', {}, tooLarge))] : []),
-      ...(findings.length || tooLarge ? findings.map(one => entry(one, actions)) : [make('p.soft.small', {}, 'Nothing found.')]));
+    this.#place.replaceChildren(...(unchecked ? [make('p.banner', {}, make('span', {}, unchecked))] : []),
+      ...(findings.length || unchecked ? findings.map(one => entry(one, actions)) : [make('p.soft.small', {}, 'Nothing found.')]));
   }
 }

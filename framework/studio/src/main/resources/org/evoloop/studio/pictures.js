@@ -9,6 +9,8 @@ export class Pictures {
   #drawings = {};
   #models = {}; // the last good ones
   #notes = {};
+  #seen = ''; // what was brought into view last
+  #looking = 0; // the next frame, in which it is known where everything is
   #whole = {}; // which of them are kept as large as fits
   onPick = () => {};
   onArrow = () => {};
@@ -45,9 +47,13 @@ export class Pictures {
       $(`.view[data-side="${side}"]`).classList.toggle('stale', Boolean(mistake));
       this.#say(side, mistake ? `Line ${mistake.line}: ${mistake.message} ${this.#models[side] ? 'The picture shows the text as it was before.' : ''}` : model.tooLarge);
       if (mistake) continue;
+      const before = this.#models[side]?.svg;
       this.#models[side] = model;
-      if (model.svg) this.#drawings[side].show(model.svg, { keep });
-      else this.#drawings[side].clear();
+      if (!model.svg) this.#drawings[side].clear();
+      else if (model.svg !== before) {
+        this.#drawings[side].show(model.svg, { keep });
+        this.#seen = '';
+      }
       if (model.svg && this.#whole[side]) this.#drawings[side].fit();
     }
   }
@@ -88,12 +94,19 @@ export class Pictures {
       drawing.mark('picked', mine?.state ? [mine.state.name] : []);
       drawing.light('plan', side === 'original' ? plan : [], { numbered: side === 'original' });
       drawing.mark('now', now?.[side] ? [now[side]] : []);
-      const found = findings.filter(one => one.machine === side);
-      drawing.mark('found', found.filter(one => one.state).map(one => one.state));
-      drawing.light('found', found.filter(one => one.transition).map(one => ({ id: one.transition })));
+      for (const [tone, severity] of [['wrong', 'error'], ['warned', 'warning']]) {
+        const found = findings.filter(one => one.machine === side && one.severity === severity);
+        drawing.mark(tone, found.filter(one => one.state).map(one => one.state));
+        drawing.light(tone, found.filter(one => one.transition).map(one => ({ id: one.transition })));
+      }
       this.#ring(side, mine?.state);
-      if (mine) this.#see(drawing, mine);
     }
+    const drawing = this.#drawings[picked?.side];
+    const what = `${picked?.side} ${picked?.state?.name ?? picked?.transition?.id}`;
+    if (!drawing?.svg || what === this.#seen) return; // it may have been moved away by hand
+    this.#seen = what;
+    cancelAnimationFrame(this.#looking);
+    this.#looking = requestAnimationFrame(() => this.#see(drawing, picked));
   }
 
   #see(drawing, { transition, state }) { // moves only if it is outside

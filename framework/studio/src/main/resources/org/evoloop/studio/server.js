@@ -27,7 +27,8 @@ export async function ask(method, path, body, signal) {
   }
   if (response.status === 401) heard('locked');
   else heard('up');
-  const answer = await response.json().catch(() => ({}));
+  const text = await response.text();
+  const answer = text.startsWith('{') ? JSON.parse(text) : { error: text.trim() };
   if (!response.ok) throw new Refused(response.status, answer);
   return answer;
 }

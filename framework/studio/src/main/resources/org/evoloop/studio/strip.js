@@ -77,13 +77,13 @@ export class Strip {
   }
 
   #transition({ side, transition }) {
-    const { line, source, target, event, guard } = transition;
+    const { line, source, target, trigger, guard } = transition;
     const all = names(this.#model(side));
     this.#place.replaceChildren(
       this.#changed(Object.assign(chosen(all, source), { ariaLabel: 'From' }), to => this.#edit(side, { kind: 'retarget', line, source: to })),
       '→',
       this.#changed(Object.assign(chosen(all, target), { ariaLabel: 'To' }), to => this.#edit(side, { kind: 'retarget', line, target: to })),
-      field('on', this.#changed(make('input', { type: 'text', value: event, id: 'trigger' }), to => this.#edit(side, { kind: 'set-trigger', line, event: to }))),
+      field('on', this.#changed(make('input', { type: 'text', value: trigger, id: 'trigger' }), to => this.#edit(side, { kind: 'set-trigger', line, event: to }))),
       field('if', this.#changed(make('input', { type: 'text', value: guard ?? '', placeholder: 'no guard', id: 'guard' }), to => this.#edit(side, { kind: 'set-guard', line, guard: to }))),
       button('Delete', () => this.#edit(side, { kind: 'delete-transition', line }), { id: 'delete' }),
       this.#words);
@@ -116,7 +116,11 @@ export class Strip {
     const event = make('input', { type: 'text', required: true, id: 'new-event' });
     const guard = make('input', { type: 'text', placeholder: 'no guard', id: 'new-guard' });
     this.#form('A new arrow', [field('From', source), field('to', target), field('on', event), field('if', guard)],
-      () => this.#edit(side, { kind: 'add-transition', source: source.value, target: target.value, event: event.value.trim(), ...(guard.value.trim() ? { guard: guard.value.trim() } : {}) }));
+      () => {
+        const both = guard.value.trim() ? null : /^(.*?)\s*\[(.*)\]$/.exec(event.value.trim()); // as on a diagram
+        const [named, condition] = both ? both.slice(1) : [event.value.trim(), guard.value.trim()];
+        return this.#edit(side, { kind: 'add-transition', source: source.value, target: target.value, event: named, ...(condition ? { guard: condition } : {}) });
+      });
     (from && to ? event : from ? target : source).focus();
   }
 }

@@ -30,9 +30,10 @@ const files = new Files(store, { open, choose });
 const questions = { draw: new Latest(), check: new Latest(), plan: new Latest(), device: new Latest() };
 
 let chosen = { new: null, original: null }; // { path, name }
-let found = { findings: [], tooLarge: '', device: [] };
+let found = { findings: [], unchecked: '', device: [] };
 let mistakes = []; // of the last drawing
 let picked = null;
+let around = ''; // the state whose surroundings are drawn, if only they are
 let plan = [];
 let turned = null;
 let link = 'up';
@@ -77,14 +78,14 @@ async function draw() {
     delete document.body.dataset.busy;
     return;
   }
-  const answer = await questions.draw.ask('/api/draw', { pair: sides, direction: turned ?? pictures.direction, view: $('#detail').value, around: picked?.state?.name ?? picked?.transition?.source ?? '' });
+  const answer = await questions.draw.ask('/api/draw', { pair: sides, direction: turned ?? pictures.direction, view: $('#detail').value, around });
   if (answer === null) return;
   mistakes = SIDES.flatMap(side => (answer[side]?.mistake ? [{ severity: 'error', rule: 'mistake', why: '', ...answer[side].mistake }] : []));
   pictures.show(answer);
   for (const side of SIDES) if (!chosen[side]) pictures.forget(side);
+  delete document.body.dataset.busy;
   again();
   show();
-  delete document.body.dataset.busy;
 }
 
 // While there is one model only, it is drawn as both.
@@ -98,12 +99,13 @@ async function check() {
   const beside = both && propertiesBeside();
   if (beside) await store.open(beside);
   if (!both) {
-    found = { ...found, findings: mistakes, tooLarge: '' };
+    found = { ...found, findings: mistakes, unchecked: '' };
   } else {
-    const answer = await questions.check.ask('/api/check', { pair: both, ...(beside && store.isUnsaved(beside) ? { properties: store.text(beside) } : {}) });
+    const answer = await questions.check.ask('/api/check', { pair: both, ...(beside && store.isUnsaved(beside) ? { properties: store.text(beside) } : {}) })
+      .catch(failure => { if ([0, 401].includes(failure.status)) throw failure; return { unchecked: `The models are not checked: ${failure.message}` }; });
     if (answer === null) return;
     const list = (answer.findings ?? mistakes).map(one => (one.path === 'properties' && beside ? { ...one, path: beside } : one));
-    found = { ...found, findings: list, tooLarge: answer.tooLarge ?? '' };
+    found = { ...found, findings: list, unchecked: answer.tooLarge ?? answer.unchecked ?? '' };
   }
   properties.found(found.findings, beside, beside ? store.text(beside) : '');
   show();
@@ -153,11 +155,21 @@ function pick(one, { text = true } = {}) {
   picked = one;
   pictures.here = one;
   strip.show(picked);
+  surround();
   const line = one?.state?.line ?? one?.transition?.line;
   const model = one && pictures.model(one.side);
   if (text && line && model) show(() => { if (editor.path !== model.path) editorTo(model.path); editor.go(line); });
   light();
   planned();
+}
+
+// The surroundings follow what is picked; an arrow of theirs leaves them as they are.
+function surround() {
+  const { state, transition } = picked ?? {};
+  const next = state?.name ?? (transition && ![transition.source, transition.target].includes(around) ? transition.source : around);
+  if (next === around) return;
+  around = next;
+  if ($('#detail').value === 'around') later(0);
 }
 
 // After a drawing: the same state by its name, or what the cursor's line is about now.
@@ -166,6 +178,7 @@ function again() {
   picked = state ? { side: picked.side, state } : pictures.on(editor.path, editor.line) ?? null;
   pictures.here = picked;
   strip.update(picked);
+  surround();
 }
 
 function light() {
@@ -210,7 +223,10 @@ async function perform(side, wanted) {
     texts.push([other.path, (await ask('POST', '/api/edit', { path: other.path, text: store.text(other.path), ...(other.name ? { machine: other.name } : {}), edit: wanted })).text]);
   }
   if (store.text(path) !== text) return perform(side, wanted);
-  if (wanted.kind === 'rename-state' || wanted.kind === 'add-state') picked = { side, state: { name: wanted.to ?? wanted.name } };
+  if (wanted.kind === 'rename-state' || wanted.kind === 'add-state') {
+    picked = { side, state: { name: wanted.to ?? wanted.name } };
+    surround();
+  }
   store.change(texts);
   if (editor.path !== path) editorTo(path);
   editor.go(line);
@@ -290,7 +306,7 @@ function show(then) {
   $('#change').ariaDisabled = String(errors > 0 || !pair());
   editor.show(editor.path, store.text(editor.path));
   editor.mark(every.filter(one => one.path === editor.path));
-  findings.show(every, { go, play }, found.tooLarge);
+  findings.show(every, { go, play }, found.unchecked);
   files.selects(chosen);
   banners();
   if (then) then();
@@ -302,7 +318,7 @@ function banners() {
   if (link === 'ended') list.push(make('div.banner.bad', {}, make('span', {}, make('b', {}, 'The studio has ended.'), ' What you typed stays in this window. Start it again in the same folder, with the same --port.')));
   if (link === 'locked') {
     const token = make('input', { type: 'text', ariaLabel: 'Address or token that the studio printed', autocomplete: 'off' });
-    const form = make('form.bar', { onsubmit: event => { event.preventDefault(); allowed(token.value); } }, token, make('button.btn.tiny', { type: 'submit' }, 'Go on'));
+    const form = make('form.bar', { onsubmit: event => { event.preventDefault(); allowed(token.value); } }, token, make('button.btn.tiny', { type: 'submit' }, 'Go on'), make('span.bad', { id: 'wrong-token', role: 'status', hidden: true }, 'It is not the one.'));
     list.push(make('div.banner.bad', {}, make('span', {}, make('b', {}, 'The studio was started anew.'), ' What you typed is here. Give the address that it has printed.'), form));
   }
   if (store.unkept) list.push(make('div.banner.bad', {}, make('span', {}, 'This browser keeps nothing for this page: save before you close it.')));
@@ -366,6 +382,7 @@ function arrows(list) { // the tabs of a list, by arrow keys
 async function allowed(written) {
   const token = /token=([^&]+)/.exec(written)?.[1] ?? written.trim();
   if (await admit(token)) connected('up');
+  else $('#wrong-token').hidden = false;
 }
 
 function connected(state) {

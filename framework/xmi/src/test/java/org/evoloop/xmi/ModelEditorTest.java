@@ -302,4 +302,46 @@ class ModelEditorTest {
         Edited first = new ModelEditor("x.mmd", "stateDiagram-v2\n", "").addState("Off", "");
         assertThat(first.text()).isEqualTo("stateDiagram-v2\n    [*] --> Off\n");
     }
+
+    @Test
+    void aNoteOfSeveralLinesGoesWithItsState() {
+        for (String end : List.of("end note", "endnote")) {
+            String text = "@startuml\n[*] --> off\noff --> on : switch\nnote right of on\n  on is bright\n" + end
+                    + "\non --> off : switch\n@enduml\n";
+            assertThat(new ModelEditor("lamp.puml", text, "").deleteState("on").text())
+                    .isEqualTo("@startuml\n[*] --> off\n@enduml\n");
+        }
+        String mermaid =
+                "stateDiagram-v2\n  [*] --> off\n  off --> on : a\n  note left of on\n   b\n  end note\n  note right of off : c\n";
+        assertThat(new ModelEditor("lamp.mmd", mermaid, "").deleteState("on").text())
+                .isEqualTo("stateDiagram-v2\n  [*] --> off\n  note right of off : c\n");
+    }
+
+    @Test
+    void anEventIsPutApartFromTheGuardBehindIt() {
+        String text = "stateDiagram-v2\n    [*] --> off\n    off --> on : [dark]\n";
+        assertThat(new ModelEditor("lamp.mmd", text, "").setTrigger(3, "switch").text())
+                .contains("off --> on : switch [dark]");
+    }
+
+    @Test
+    void aStateOfScxmlGoesWithWhatLeadsIntoIt() {
+        String text = """
+                <scxml xmlns="http://www.w3.org/2005/07/scxml" version="1.0" initial="off">
+                  <state id="off">
+                    <transition event="resume" target="last"/>
+                    <transition event="dim" target="dimmed"/>
+                  </state>
+                  <state id="on" initial="bright">
+                    <history id="last"><transition target="bright"/></history>
+                    <state id="bright"/>
+                    <state id="dimmed"/>
+                  </state>
+                </scxml>
+                """;
+        ModelEditor editor = new ModelEditor("lamp.scxml", text, "");
+        assertThat(editor.deleteState("on").text()).doesNotContain("target=");
+        assertThatThrownBy(() -> new ModelEditor("lamp.scxml", text, "").deleteState("off"))
+                .hasMessage("off is where it begins; let another state begin, and then delete it");
+    }
 }

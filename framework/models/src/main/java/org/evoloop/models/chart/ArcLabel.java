@@ -10,11 +10,15 @@ public final class ArcLabel {
 
     /** {@code trigger, trigger [guard] / effect; effect {local}}; missing parts are left out. */
     public static String of(Arc arc) {
-        String triggers = arc.triggers().stream()
+        String label = of(triggers(arc), arc.guard(), arc.effects());
+        return arc.kind() == Arc.Kind.LOCAL ? (label + " {local}").strip() : label;
+    }
+
+    /** The triggers of a transition, with their keywords. */
+    public static String triggers(Arc arc) {
+        return arc.triggers().stream()
                 .map(trigger -> arc.keywords(trigger) + trigger)
                 .collect(Collectors.joining(", "));
-        String label = of(triggers, arc.guard(), arc.effects());
-        return arc.kind() == Arc.Kind.LOCAL ? (label + " {local}").strip() : label;
     }
 
     /** Builds the label from its parts, each of which may be empty. */

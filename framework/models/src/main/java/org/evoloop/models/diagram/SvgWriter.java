@@ -47,8 +47,7 @@ public final class SvgWriter {
 
     /**
      * A picture of one machine for a page, which has the colours: without heading, frame, legend and style. Each element
-     * has what the diagram says of it as attributes {@code data-...}; a transition has a wide path of class {@code hit}
-     * below its line, so that it is easily met.
+     * has what the diagram says of it as attributes {@code data-...}.
      *
      * @param name of the picture, unique on the page; letters only
      * @param layouts keeps what can be used again
@@ -193,9 +192,6 @@ public final class SvgWriter {
                     "transition " + Palette.of(wire.edge().tone()).cssClass(),
                     data(wire.edge().data()));
             String path = path(Ends.onOutlines(wire.points(), source, target));
-            if (plain) {
-                svg.path("hit", path);
-            }
             svg.path("line way", path, arrow).endGroup();
         }
     }

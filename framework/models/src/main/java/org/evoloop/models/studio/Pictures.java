@@ -6,15 +6,18 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.models.chart.ArcLabel;
 import org.evoloop.models.chart.ChartIndex;
 import org.evoloop.models.diagram.Around;
 import org.evoloop.models.diagram.ChartDiagram;
 import org.evoloop.models.diagram.Diagram;
+import org.evoloop.models.diagram.Diagram.Edge;
 import org.evoloop.models.diagram.Layouts;
 import org.evoloop.models.diagram.Overview;
 import org.evoloop.models.diagram.SvgWriter;
 import org.evoloop.payload.JsonObject;
 import org.evoloop.statechart.Arc;
+import org.evoloop.statechart.EventKeywords;
 import org.evoloop.statechart.Vertex;
 import org.evoloop.statechart.Vertex.ChartState;
 import org.evoloop.studio.Analysis.Detail;
@@ -22,7 +25,6 @@ import org.evoloop.studio.Analysis.Direction;
 import org.evoloop.studio.Analysis.View;
 import org.evoloop.studio.MistakeException;
 import org.evoloop.studio.Pair;
-import org.evoloop.studio.RequestException;
 import org.evoloop.studio.Source;
 import org.jspecify.annotations.Nullable;
 
@@ -76,13 +78,14 @@ final class Pictures {
                 .put("name", shown.chart().name())
                 .put("path", shown.source().path())
                 .put("line", shown.source().machine().line());
-        if (view.detail() == Detail.ALL && shown.elements() > MOST_ELEMENTS) {
-            answer.put(
-                    "tooLarge",
-                    shown.elements() + " states and transitions are too many for a picture; look at the overview, or"
-                            + " around a state");
+        Diagram wanted = wanted(shown, tones);
+        int elements = view.detail() == Detail.ALL
+                ? shown.elements()
+                : wanted.nodes().size() + wanted.edges().size();
+        if (elements > MOST_ELEMENTS) {
+            answer.put("tooLarge", elements + " states and transitions are too many for a picture; " + instead());
         } else {
-            answer.put("svg", svg(side, shown, tones));
+            answer.put("svg", SvgWriter.plain(side, wanted, view.direction() == Direction.DOWN, layouts));
         }
         List<JsonObject> states = new ArrayList<>();
         for (ChartState state : index.states()) {
@@ -99,6 +102,7 @@ final class Pictures {
                     .put("id", shown.id(arc))
                     .put("source", index.name(arc.source()))
                     .put("event", String.join(", ", arc.triggers()))
+                    .put("trigger", ArcLabel.triggers(arc))
                     .put("guard", arc.guard())
                     .putTexts("effects", arc.effects())
                     .put("target", index.name(arc.target()))
@@ -109,17 +113,31 @@ final class Pictures {
         return answer.put("states", states).put("transitions", transitions);
     }
 
-    private String svg(String side, Shown shown, Tones tones) {
-        Diagram all = ChartDiagram.of(shown.chart(), tones::of, tones::of, new Facts(shown));
-        Diagram wanted = switch (view.detail()) {
+    private String instead() {
+        return switch (view.detail()) {
+            case ALL -> "look at the overview, or around a state";
+            case OVERVIEW -> "look around a state";
+            case AROUND -> "put the cursor in the line of a state or an arrow, to look around it";
+        };
+    }
+
+    private Diagram wanted(Shown shown, Tones tones) {
+        Diagram all = withoutKeyword(ChartDiagram.of(shown.chart(), tones::of, tones::of, new Facts(shown)));
+        return switch (view.detail()) {
             case ALL -> all;
             case OVERVIEW -> Overview.of(all);
             case AROUND -> key(shown).map(key -> Around.of(all, key)).orElseGet(() -> Overview.of(all));
         };
-        if (wanted.nodes().size() + wanted.edges().size() > MOST_ELEMENTS) {
-            throw new RequestException("the model is too large for a picture; split it");
-        }
-        return SvgWriter.plain(side, wanted, view.direction() == Direction.DOWN, layouts);
+    }
+
+    /** What the device does itself has another look, which is shorter than the keyword on each arrow. */
+    private static Diagram withoutKeyword(Diagram all) {
+        String keyword = EventKeywords.before(true, false);
+        List<Edge> edges = all.edges().stream()
+                .map(edge -> new Edge(
+                        edge.source(), edge.target(), edge.label().replace(keyword, ""), edge.tone(), edge.data()))
+                .toList();
+        return new Diagram(all.title(), all.nodes(), edges);
     }
 
     private Optional<String> key(Shown shown) {
@@ -149,6 +167,9 @@ final class Pictures {
             data.put("target", shown.index().name(arc.target()));
             data.put("event", String.join(", ", arc.triggers()));
             data.put("line", String.valueOf(arc.place().line()));
+            if (!arc.spontaneous().isEmpty()) {
+                data.put("own", "true");
+            }
             return data;
         }
     }

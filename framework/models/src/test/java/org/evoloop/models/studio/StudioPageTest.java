@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import org.awaitility.Awaitility;
-import org.evoloop.models.Tool;
+import org.evoloop.models.device.DeviceCommands;
 import org.evoloop.page.Browser;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
@@ -130,36 +130,18 @@ class StudioPageTest {
     }
 
     @Test
-    void bothModelsAreDrawnFromNothing() throws Exception {
-        window.open();
-        browser.await("document.activeElement.id === 'begin'");
-        browser.enter();
-        window.awaitState("new", "Off");
-        window.awaitState("original", "Off");
-        for (String side : List.of("original", "new")) {
-            window.addState(side, "Low");
-            window.addState(side, "High");
-            window.drag(side, "Off", "Low", "power");
-            window.drag(side, "Low", "Off", "power");
-            window.drag(side, "Low", "High", "speed");
-            window.drag(side, "High", "Off", "power");
-            window.drag(side, "High", "Low", "speed");
-        }
-        window.drag("original", "High", "Off", "«spontaneous» overheat");
-        window.addState("new", "Breeze");
-        window.drag("new", "Off", "High", "boost");
-        window.drag("new", "Low", "Breeze", "breeze");
-        window.drag("new", "High", "Off", "overheat");
-        window.drag("new", "High", "Breeze", "breeze");
-        window.drag("new", "Breeze", "Off", "power");
-        window.drag("new", "Breeze", "Off", "overheat");
-        window.drag("new", "Breeze", "Off", "tm(30min)");
-        window.save();
-
-        String original = folder.resolve("original.mmd").toString();
-        String evolved = folder.resolve("new.mmd").toString();
-        assertThat(Tool.run("diff", original, evolved).out()).contains("Breeze", "boost");
-        assertThat(Tool.run("check", original, evolved).status()).isZero();
+    void aWarningIsMarkedAsOneAndNotAsAnError() throws Exception {
+        lamp();
+        go(LINE_OF_WAIT + 1);
+        browser.type("\n    wait --> warm : switch");
+        browser.await("document.querySelector('.view[data-side=new] .state.warned')?.dataset.state === 'warm'");
+        String line = String.valueOf(LINE_OF_WAIT + 2);
+        browser.await(
+                "[...document.querySelectorAll('.lines .warning .no')].some(no => no.textContent === '" + line + "')");
+        assertThat(browser.evaluate("String(document.querySelectorAll('.chart .wrong, .lines .error').length)"))
+                .isEqualTo("0");
+        browser.await("getComputedStyle(document.querySelector('.state.warned .box')).stroke"
+                + " === getComputedStyle(document.querySelector('.pill.warn')).color");
     }
 
     @Test
@@ -246,6 +228,149 @@ class StudioPageTest {
     }
 
     @Test
+    void aStudioThatIsStartedAnewAsksForItsTokenAndKeepsWhatWasTyped() throws Exception {
+        lamp();
+        window.kill();
+        Files.delete(other.resolve("token"));
+        go(LINE_OF_WAIT);
+        browser.type("\n    wait --> on : again");
+        window.startAgain();
+        browser.await("document.querySelector('#banners').innerText.includes('The studio was started anew')");
+        window.focus("#banners input");
+        browser.type("not the token");
+        browser.enter();
+        browser.await("document.querySelector('#banners').innerText.includes('not the one')");
+        assertThat(window.text()).contains("wait --> on : again");
+        browser.evaluate("document.querySelector('#banners input').select()");
+        browser.type(window.address());
+        browser.enter();
+        window.awaitArrow("new", "wait", "on", "again");
+        browser.await("document.querySelector('#banners').innerText === ''");
+        window.save();
+        assertThat(folder.resolve("lamp.md")).content().contains("wait --> on : again");
+    }
+
+    @Test
+    void whatIsTypedOnASlowNetworkIsNeitherLostNorTakenForSaved() throws Exception {
+        lamp();
+        go(LINE_OF_WAIT);
+        browser.type("\n    wait --> on : first");
+        browser.network(400);
+        browser.control("s", 83);
+        browser.type(" / blink");
+        browser.await("document.querySelector('#save').disabled === false");
+        Awaitility.await()
+                .untilAsserted(
+                        () -> assertThat(folder.resolve("lamp.md")).content().contains("first"));
+        window.awaitArrow("new", "wait", "on", "first");
+        assertThat(window.text()).contains("wait --> on : first / blink");
+        assertThat(folder.resolve("lamp.md")).content().doesNotContain("blink");
+        assertThat(browser.evaluate("document.querySelector('#unsaved').textContent"))
+                .contains("1 file not saved");
+        browser.network(0);
+        window.save();
+        assertThat(folder.resolve("lamp.md")).content().contains("wait --> on : first / blink");
+    }
+
+    @Test
+    void aRunIsKeptAsAScenarioThatTheDeviceFilesCheckPlays() throws Exception {
+        Files.writeString(folder.resolve("lamp.md"), LAMP);
+        Files.writeString(folder.resolve("lamp.yaml"), """
+                converter: lamp
+                models: {original: lamp.md#original, new: lamp.md#new}
+                connections:
+                  lamp: {lines: "tcp://127.0.0.1:4001"}
+                device:
+                  send: {switch: SW}
+                  answer: {ok: OK, within: 2 s}
+                controller:
+                  press: {button: switch}
+                functions:
+                  wait: {}
+                """);
+        window.open();
+        window.awaitState("new", "wait");
+        window.button("#try", "switch");
+        browser.await("document.querySelector('#try-new').textContent === 'on'");
+        window.button("#try", "switch");
+        browser.await("document.querySelector('#try-new').textContent === 'wait'");
+        window.button("#try", "let 2 s pass");
+        browser.await("document.querySelector('#try-new').textContent === 'off'");
+        window.button("#try", "Keep as scenario");
+        browser.evaluate("document.querySelector('#dialog input').select()");
+        browser.type("it waits, then it's off");
+        window.button("#dialog", "Keep it");
+        browser.await("document.querySelector('#text').value.includes('scenarios:')");
+        window.save();
+        browser.await("!document.querySelector('.lines .error')");
+        String file = folder.resolve("lamp.yaml").toString();
+        assertThat(Path.of(file)).content().contains("'it waits, then it''s off':", "sent: [switch]");
+        assertThat(DeviceCommands.run(List.of("check", file), models -> 0)).isZero();
+        Files.writeString(Path.of(file), Files.readString(Path.of(file)).replace("state: wait", "state: 'on'"));
+        assertThat(DeviceCommands.run(List.of("check", file), models -> 0)).isEqualTo(1);
+    }
+
+    @Test
+    void aModelThatIsTooLargeIsSaidAtOnce() throws Exception {
+        StringBuilder large = new StringBuilder("stateDiagram-v2\n    [*] --> s0\n");
+        for (int i = 0; i < 700; i++) {
+            large.append("    s").append(i).append(" --> s").append(i + 1).append(" : e\n");
+        }
+        Files.writeString(folder.resolve("original.mmd"), large);
+        Files.writeString(folder.resolve("new.mmd"), large);
+        window.open();
+        browser.await(
+                "document.querySelector('.view[data-side=new] .note').innerText.includes('too many for a picture')");
+        browser.evaluate("document.querySelector('#detail').value = 'around'");
+        browser.evaluate("document.querySelector('#detail').dispatchEvent(new Event('change'))");
+        go(5);
+        browser.await("document.querySelector('.view[data-side=new] .state[data-state=s2]')");
+        assertThat(window.states("new")).isEqualTo("s2,s3");
+        go(300);
+        browser.await("document.querySelector('.view[data-side=new] .state[data-state=s297]')");
+        browser.type("\n    s297 --> s0 : home");
+        window.awaitArrow("new", "s297", "s0", "home");
+    }
+
+    @Test
+    void theMinimapShowsWhatIsSeenOfALargePictureAndMovesIt() throws Exception {
+        StringBuilder long40 = new StringBuilder("stateDiagram-v2\n    [*] --> s0\n");
+        for (int i = 0; i < 40; i++) {
+            long40.append("    s").append(i).append(" --> s").append(i + 1).append(" : e\n");
+        }
+        Files.writeString(
+                folder.resolve("original.mmd"), LAMP.substring(LAMP.indexOf("stateDiagram"), LAMP.indexOf("```\n```")));
+        Files.writeString(folder.resolve("new.mmd"), long40);
+        window.open();
+        window.awaitState("new", "s40");
+        String mini = ".view[data-side=\"new\"] .mini";
+        browser.await("!document.querySelector('" + mini + "').classList.contains('all')");
+        browser.await("document.querySelector('.view[data-side=original] .mini').classList.contains('all')");
+        String left = "document.querySelector('" + mini + " .win').x.baseVal.value";
+        browser.await(left + " === 0");
+        browser.click(mini);
+        browser.await(left + " > 100");
+        assertThat(browser.evaluate(
+                        "String(document.querySelector('.view[data-side=new] svg.chart').viewBox.baseVal.x > 100)"))
+                .isEqualTo("true");
+        browser.click(".view[data-side=new] [data-zoom=fit]");
+        browser.await("document.querySelector('" + mini + "').classList.contains('all')");
+    }
+
+    @Test
+    void theSurroundingsFollowWhatIsPicked() throws Exception {
+        lamp();
+        browser.evaluate("document.querySelector('#detail').value = 'around'");
+        browser.evaluate("document.querySelector('#detail').dispatchEvent(new Event('change'))");
+        go(LINE_OF_WAIT + 1);
+        browser.await("!document.querySelector('.view[data-side=new] .state[data-state=on]')");
+        assertThat(window.states("new")).isEqualTo("off,wait");
+        browser.click(".view[data-side=new] .state[data-state=off] .box");
+        browser.await("document.querySelector('.view[data-side=new] .state[data-state=on]')");
+        assertThat(window.states("new")).isEqualTo("off,on");
+    }
+
+    @Test
     void twoWindowsAndTheDiskLoseNothing() throws Exception {
         lamp();
         go(LINE_OF_WAIT);
@@ -266,7 +391,7 @@ class StudioPageTest {
         browser.await("document.querySelector('#banners').innerText.includes('has changed on the disk')");
         assertThat(window.text()).contains("first").doesNotContain("second");
         assertThat(folder.resolve("lamp.md")).content().contains("second").doesNotContain("first");
-        button("#banners", "Take the disk’s");
+        window.button("#banners", "Take the disk’s");
         window.awaitArrow("new", "wait", "on", "second");
         undo();
         window.awaitArrow("new", "wait", "on", "first");
@@ -289,30 +414,41 @@ class StudioPageTest {
         assertThat(folder.resolve("lamp.md")).content().isEqualTo(LAMP);
     }
 
-    private static void button(String place, String text) {
-        browser.await("[...document.querySelectorAll('" + place + " button')].some(one => one.textContent === '" + text
-                + "')");
-        browser.evaluate("[...document.querySelectorAll('" + place + " button')].find(one => one.textContent === '"
-                + text + "').click()");
-    }
-
     @Test
     void aCounterexampleIsPlayedInThePicture() throws Exception {
         lamp();
-        button("#tools", "Properties");
+        window.button("#tools", "Properties");
         window.focus("#property");
         browser.type("It is never left on: always not wait");
         browser.enter();
         browser.await("document.querySelector('#properties').innerText.includes('Does not hold')");
-        button("#properties", "Play it");
+        window.button("#properties", "Play it");
         browser.await("document.querySelector('#try-new').textContent === 'wait'");
         browser.await("document.querySelector('.view[data-side=new] .state.now').dataset.state === 'wait'");
-        button("#try", "One back");
+        window.button("#try", "One back");
         browser.await("document.querySelector('#try-new').textContent === 'on'");
-        button("#try", "switch");
+        window.button("#try", "switch");
         browser.await("document.querySelector('#try-new').textContent === 'wait'");
-        button("#try", "let 2 s pass");
+        window.button("#try", "let 2 s pass");
         browser.await("document.querySelector('#try-new').textContent === 'off'");
+    }
+
+    @Test
+    void aKeywordStaysAndAGuardIsUnderstoodWhereTheEventIsWritten() throws Exception {
+        Files.writeString(
+                folder.resolve("lamp.md"), LAMP.replace("on --> off : switch", "on --> off : «spontaneous» burnt"));
+        window.open();
+        window.awaitState("new", "wait");
+        go(8);
+        browser.await("document.querySelector('#trigger')?.value === '«spontaneous» burnt'");
+        window.focus("#trigger");
+        browser.evaluate("document.querySelector('#trigger').setSelectionRange(99, 99)");
+        browser.type(" out");
+        browser.enter();
+        window.awaitArrow("original", "on", "off", "burnt out");
+        assertThat(window.text()).contains("on --> off : «spontaneous» burnt out");
+        window.drag("new", "on", "wait", "wink [dark]", "wink");
+        assertThat(window.text()).contains("on --> wait : wink [dark]");
     }
 
     @Test

@@ -3,6 +3,7 @@ package org.evoloop.models.studio;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.lang.reflect.Proxy;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
@@ -11,8 +12,10 @@ import java.net.http.HttpResponse;
 import java.net.http.HttpResponse.BodyHandlers;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
+import org.evoloop.studio.Analysis;
 import org.evoloop.studio.Studio;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -62,7 +65,11 @@ class StudioTest {
     @BeforeEach
     void open() throws Exception {
         Files.writeString(folder.resolve("lamp.md"), LAMP);
-        studio = Studio.open(folder, 0, null, new StudioAnalysis());
+        begin(new StudioAnalysis());
+    }
+
+    private void begin(Analysis analysis) throws IOException, InterruptedException {
+        studio = Studio.open(folder, 0, null, analysis);
         String address = studio.address().toString();
         origin = address.replaceFirst("/#.*", "");
         HttpResponse<String> admitted = send("POST", "/session", address.replaceFirst(".*token=", ""), origin);
@@ -197,6 +204,28 @@ class StudioTest {
     }
 
     @Test
+    void whatFailsIsAnsweredInWordsAndTheStudioGoesOn() throws Exception {
+        close();
+        Iterator<Error> errors = List.of(
+                        new StackOverflowError(), new AssertionError("no"), new ExceptionInInitializerError("x"))
+                .iterator();
+        begin((Analysis) Proxy.newProxyInstance(
+                Analysis.class.getClassLoader(), new Class<?>[] {Analysis.class}, (proxy, method, arguments) -> {
+                    throw errors.next();
+                }));
+        assertThat(send("POST", "/api/draw", JSON.writeValueAsString(Map.of("pair", pair())), origin)
+                        .body())
+                .isEqualTo("{\"error\":\"the models are too large for this\"}");
+        while (errors.hasNext()) {
+            HttpResponse<String> answer =
+                    send("POST", "/api/draw", JSON.writeValueAsString(Map.of("pair", pair())), origin);
+            assertThat(answer.statusCode()).isEqualTo(500);
+            assertThat(answer.body()).contains("the program has failed at this");
+        }
+        ask(200, "GET", "/api/files", "");
+    }
+
+    @Test
     void bothModelsAreDrawnWithWhatIsAddedAndRerouted() throws Exception {
         JsonNode drawn = post("/api/draw", Map.of("pair", pair(), "direction", "down"));
         JsonNode evolved = drawn.path("new");
@@ -245,6 +274,18 @@ class StudioTest {
         JsonNode findings = post("/api/check", Map.of("pair", pair(LAMP.replace("on --> wait : switch", "on -> wai"))))
                 .path("findings");
         assertThat(findings.path(0).path("line").asInt()).isEqualTo(18);
+    }
+
+    @Test
+    void ofSeveralProblemsTheFirstIsSaidOnItsLine() throws Exception {
+        String text = LAMP.replace("    warm --> off : switch\n", "    warm -> off\n    warm => off\n");
+        JsonNode mistake =
+                post("/api/draw", Map.of("pair", pair(text))).path("new").path("mistake");
+        assertThat(mistake.path("line").asInt()).isEqualTo(21);
+        assertThat(mistake.path("message").asString()).contains("-->").doesNotContain("problems");
+        JsonNode findings = post("/api/check", Map.of("pair", pair(text))).path("findings");
+        assertThat(findings.valueStream().map(each -> each.path("line").asInt()))
+                .containsExactly(21, 22);
     }
 
     @Test

@@ -72,6 +72,12 @@ final class StudioWindow implements AutoCloseable {
 
     void startAgain() throws IOException {
         studio = start(URI.create(address).getPort());
+        address = studio.address().toString();
+    }
+
+    /** What the studio prints. */
+    String address() {
+        return address;
     }
 
     /** Forgets what another test has typed, and opens the page. */
@@ -129,10 +135,15 @@ final class StudioWindow implements AutoCloseable {
 
     /** Drags an arrow from the ring of a state to another state. */
     void drag(String side, String source, String target, String event) {
+        drag(side, source, target, event, event);
+    }
+
+    /** @param event that the arrow has when {@code typed} is typed */
+    void drag(String side, String source, String target, String typed, String event) {
         pick(side, source);
         browser.drag(port(side) + ".handle", state(side, target) + " .box");
         browser.await("document.activeElement.id === 'new-event'");
-        browser.type(event);
+        browser.type(typed);
         browser.enter();
         awaitArrow(side, source, target, event);
     }
@@ -143,6 +154,17 @@ final class StudioWindow implements AutoCloseable {
                         + source + "' && dataset.target === '" + target + "' && dataset.event === '"
                         + event.replace("«spontaneous» ", "") + "')");
         quiet();
+    }
+
+    /** Clicks the button of this text, as soon as it is there. */
+    void button(String place, String text) {
+        String it = "[...document.querySelectorAll('" + place + " button')].find(one => one.textContent === '" + text
+                + "')";
+        browser.await(it);
+        browser.evaluate("(" + it
+                + ".scrollIntoView({ block: 'nearest' }), document.querySelector('[data-here]')?.removeAttribute('data-here'), "
+                + it + ".setAttribute('data-here', ''))");
+        browser.click("[data-here]");
     }
 
     void save() {

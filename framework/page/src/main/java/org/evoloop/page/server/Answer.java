@@ -29,6 +29,8 @@ public final class Answer {
     public static final int OTHER_METHOD = 405;
     /** The request is too large. */
     public static final int TOO_LARGE = 413;
+    /** The program could not answer it. */
+    public static final int FAILED = 500;
     /** There is no room at the moment. */
     public static final int BUSY = 503;
 

@@ -89,7 +89,7 @@ public final class Gate {
         String called = headers.getFirst("Host");
         if (called == null || !isOwn(hostOf(called))) {
             return "this page is not called " + called
-                    + "; use its address as a number, this machine's name, or the name after --page";
+                    + "; use the address that the program has printed, or this machine's name";
         }
         String site = headers.getFirst("Sec-Fetch-Site");
         boolean opened = exchange.getRequestURI().getPath().equals("/") && isReading(exchange);

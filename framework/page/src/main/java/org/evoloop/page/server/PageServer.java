@@ -254,14 +254,17 @@ public final class PageServer implements AutoCloseable {
     private void answer(HttpExchange exchange, String path, HttpHandler handler) throws IOException {
         try {
             handler.handle(exchange);
-        } catch (RuntimeException failure) {
+        } catch (RuntimeException | Error failure) {
             report(path, failure);
-            throw failure;
+            if (exchange.getResponseCode() >= 0) {
+                throw failure;
+            }
+            Answer.text(exchange, Answer.FAILED, "the program has failed at this; its log says why");
         }
     }
 
     /** The browser asks again and again, which must not fill the log. */
-    private void report(String path, RuntimeException failure) {
+    private void report(String path, Throwable failure) {
         if (failed.add(path)) {
             LOG.warn("the page cannot answer {}; further failures of it are not reported", path, failure);
         } else {

@@ -272,9 +272,15 @@ public final class ScxmlEditor implements MachineEditor {
         Element state = state(name);
         Set<String> gone = new HashSet<>();
         for (Element each : tags.elements()) {
-            if (each.from() >= state.from() && each.to() <= state.to() && isState(each)) {
+            if (each.from() >= state.from()
+                    && each.to() <= state.to()
+                    && !each.value("id").isEmpty()) {
                 gone.add(each.value("id"));
             }
+        }
+        Element parent = state.parent();
+        if (parent != null && gone.contains(parent.value("initial"))) {
+            throw new ModelException(name + " is where it begins; let another state begin, and then delete it");
         }
         remove(state);
         for (Element each : tags.elements()) {
@@ -282,10 +288,6 @@ public final class ScxmlEditor implements MachineEditor {
             if (outside && each.name().equals("transition") && gone.contains(each.value("target"))) {
                 remove(each);
             }
-        }
-        Element parent = state.parent();
-        if (parent != null && gone.contains(parent.value("initial"))) {
-            set(parent, "initial", "");
         }
         return Math.max(1, state.firstLine() - 1);
     }

@@ -460,7 +460,7 @@ public final class TextEditor implements MachineEditor {
         places.ignored().stream()
                 .filter(line -> inside.stream()
                         .anyMatch(id -> lines.get(line).matches("\\s*(?:note|style|click)\\s.*" + beside(id) + ".*")))
-                .forEach(numbers::add);
+                .forEach(line -> numbers.addAll(places.ignored(line)));
         numbers.forEach(lines::remove);
         int first = gone.stream().mapToInt(Statement::line).min().orElse(block.line() + 1);
         declareIfLost(gone, Math.max(block.line(), first - 1), inside.toArray(String[]::new));

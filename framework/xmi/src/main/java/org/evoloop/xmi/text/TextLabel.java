@@ -27,7 +27,9 @@ record TextLabel(Syntax syntax, String trigger, String guards, String rest) {
     }
 
     TextLabel withTrigger(String events) {
-        return new TextLabel(syntax, put(trigger, escaped(events.strip())), guards, rest);
+        String event = put(trigger, escaped(events.strip()));
+        boolean joined = trigger.isEmpty() && !event.isEmpty() && !guards.isEmpty();
+        return new TextLabel(syntax, joined ? event + " " : event, guards, rest);
     }
 
     /** @param text of a guard, without its brackets; empty for none */

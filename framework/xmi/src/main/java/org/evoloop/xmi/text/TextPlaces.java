@@ -4,6 +4,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Predicate;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.xmi.text.Statement.Kind;
@@ -59,6 +60,18 @@ record TextPlaces(TextBlock block, Lines lines, List<Statement> statements) {
                     + "; edit it in the text");
         }
         return there.get(0);
+    }
+
+    /** The lines of what is ignored and begins in a line: only a note without a colon has several. */
+    List<Integer> ignored(int first) {
+        int last = first;
+        String begin = lines.get(first).strip();
+        if (begin.startsWith("note ") && begin.indexOf(':') < 0) {
+            while (!lines.get(last).strip().matches("end ?note")) {
+                last++;
+            }
+        }
+        return IntStream.rangeClosed(first, last).boxed().toList();
     }
 
     /** The lines of notes and styles, which may name states. */
