@@ -17,6 +17,7 @@ MODELS_JAR = ROOT / "framework" / "models" / "target" / "evoloop-models.jar"
 LIMIT_S = 60.0
 """Generous for slow machines: nothing takes nearly as long."""
 POLL_S = 0.05
+LEARNING_LIMIT_S = 1800.0
 
 
 def free_port() -> int:
@@ -100,7 +101,9 @@ def copied(device: str, folder: Path, replaced: dict[str, str]) -> Path:
 def learned(file: Path, model: Path, *options: str) -> str:
     """What learning a device prints; the transitions that were found are in the model."""
     command = [*JAVA, "learn", file, "--output", model, *options]
-    done = subprocess.run([str(word) for word in command], cwd=file.parent, capture_output=True, text=True, timeout=600)
+    done = subprocess.run(
+        [str(word) for word in command], cwd=file.parent, capture_output=True, text=True, timeout=LEARNING_LIMIT_S
+    )
     if done.returncode != 0:
         raise AssertionError(f"exit status {done.returncode}: {done.stdout}{done.stderr}")
     return done.stdout
