@@ -17,6 +17,7 @@ MODELS_JAR = ROOT / "framework" / "models" / "target" / "evoloop-models.jar"
 LIMIT_S = 60.0
 """Generous for slow machines: nothing takes nearly as long."""
 POLL_S = 0.05
+LEARNING_LIMIT_S = 1800.0
 
 
 def free_port() -> int:
@@ -84,17 +85,41 @@ class Running:
                 pipe.close()
 
 
+JAVA = ["java", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-jar", MODELS_JAR]
+
+
+def copied(device: str, folder: Path, replaced: dict[str, str]) -> Path:
+    """The device file of a device of `devices`, some of whose text is replaced."""
+    for name in ("README.md", f"{device}.yaml"):
+        text = (ROOT / "devices" / device / name).read_text(encoding="utf-8")
+        for old, new in replaced.items():
+            text = text.replace(old, new)
+        (folder / name).write_text(text, encoding="utf-8")
+    return folder / f"{device}.yaml"
+
+
+def learned(file: Path, model: Path, *options: str) -> str:
+    """What learning a device prints; the transitions that were found are in the model."""
+    command = [*JAVA, "learn", file, "--output", model, *options]
+    done = subprocess.run(
+        [str(word) for word in command], cwd=file.parent, capture_output=True, text=True, timeout=LEARNING_LIMIT_S
+    )
+    if done.returncode != 0:
+        raise AssertionError(f"exit status {done.returncode}: {done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def arrows(model: Path) -> set[tuple[str, str, str]]:
+    """Source, event and target of each transition of a Mermaid file."""
+    drawn = re.findall(r"^ +(\w+) --> (\w+) : (.+)$", model.read_text(encoding="utf-8"), re.MULTILINE)
+    return {(source, event, target) for source, target, event in drawn}
+
+
 class Converter(Running):
     """The converter of a device file of `devices`, some of whose text is replaced."""
 
     def __init__(self, device: str, folder: Path, replaced: dict[str, str]) -> None:
-        for name in ("README.md", f"{device}.yaml"):
-            text = (ROOT / "devices" / device / name).read_text(encoding="utf-8")
-            for old, new in replaced.items():
-                text = text.replace(old, new)
-            (folder / name).write_text(text, encoding="utf-8")
-        java = ["java", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-jar", MODELS_JAR]
-        super().__init__([*java, "device", "run", folder / f"{device}.yaml", "--start"], folder)
+        super().__init__([*JAVA, "device", "run", copied(device, folder, replaced), "--start"], folder)
 
     def states(self) -> str:
         """The device's state in the record and the new model's, as in `Off, Off`; a doubt is appended."""

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import paho.mqtt.client as mqtt
 
-from running import LIMIT_S, POLL_S, Broker, Converter, Running, temporary, wait_until
+from running import LIMIT_S, POLL_S, Broker, Converter, Running, arrows, copied, learned, temporary, wait_until
 
 REMOTE = Path(__file__).resolve().with_name("ac.lircd.conf")
 EVENTS = {0x10AF8877: "power", 0x10AF48B7: "turbo"}
@@ -112,17 +112,18 @@ class LircTest(unittest.TestCase):
         self.addCleanup(lircd.close)
         self.conditioner = AirConditioner(lircd.sent, broker)
         self.addCleanup(self.conditioner.close)
-        self.converter = Converter(
-            "air-conditioner",
-            place,
-            {
-                "/run/lirc/lircd": str(lircd.socket),
-                "mqtt://127.0.0.1": f"mqtt://127.0.0.1:{broker.port}",
-                "steady: 5 s": "steady: 300 ms",
-                "within: 20 s": "within: 2 s",
-                "after 10 min": "after 3 s",
-            },
-        )
+        self.place = place
+        self.replaced = {
+            "/run/lirc/lircd": str(lircd.socket),
+            "mqtt://127.0.0.1": f"mqtt://127.0.0.1:{broker.port}",
+            "steady: 5 s": "steady: 300 ms",
+            "within: 20 s": "within: 2 s",
+            "after 10 min": "after 3 s",
+            "settle: 20 s": "settle: 600 ms",
+        }
+
+    def convert(self) -> None:
+        self.converter = Converter("air-conditioner", self.place, self.replaced)
         self.addCleanup(self.converter.close)
         self.converter.wait_for("Off, Off")
 
@@ -134,13 +135,23 @@ class LircTest(unittest.TestCase):
     def window(self, is_closed: bool) -> None:
         self.conditioner.meter.publish("zigbee2mqtt/window", json.dumps({"contact": is_closed}))
 
+    def test_it_is_learned_from_what_it_takes(self) -> None:
+        model = self.place / "learned.mmd"
+        file = copied("air-conditioner", self.place, self.replaced)
+        printed = learned(file, model, "--longest", "1 s")
+        self.assertEqual(arrows(model), {(source, event, target) for (source, event), target in MODEL.items()})
+        self.assertIn("tested to depth 1", printed)
+        self.assertEqual(self.conditioner.state, "Off")
+
     def test_boost_ends_by_itself(self) -> None:
+        self.convert()
         self.press("power", "Cool, Cool")
         self.press("boost", "Turbo, Boost")
         self.converter.wait_for("Cool, Cool")
         self.assertEqual(self.conditioner.log, ["power", "turbo", "turbo"])
 
     def test_it_is_off_while_a_window_is_open(self) -> None:
+        self.convert()
         self.press("power", "Cool, Cool")
         self.window(is_closed=False)
         self.converter.wait_for("Off, Airing")
@@ -150,6 +161,7 @@ class LircTest(unittest.TestCase):
         self.assertEqual(self.conditioner.log, ["power", "power", "power"])
 
     def test_what_it_did_not_see_is_not_taken_for_done(self) -> None:
+        self.convert()
         self.conditioner.is_covered = True
         self.converter.type("press power")
         wait_until("it was sent", lambda: self.conditioner.log == ["misses power"])

@@ -9,17 +9,35 @@ import urllib.request
 from http.client import HTTPException
 from pathlib import Path
 
-from running import Broker, Converter, Running, accepts, free_port, temporary, wait_until
+from running import (
+    Broker,
+    Converter,
+    Running,
+    accepts,
+    arrows,
+    copied,
+    free_port,
+    learned,
+    temporary,
+    wait_until,
+)
 
 KEY = "0123456789ABCDEF0123456789ABCDEF"
 SETTINGS = f"""
 api: {{key: {KEY}}}
 server: {{firstRun: false, onlineCheck: {{enabled: false}}, pluginBlacklist: {{enabled: false}}}}
-serial: {{port: VIRTUAL, autoconnect: true}}
+serial: {{port: VIRTUAL, autoconnect: true, logPositionOnPause: false, logPositionOnCancel: false}}
 plugins:
   virtual_printer: {{enabled: true}}
   _disabled: [softwareupdate, announcements, tracking, pluginmanager, discovery, backup, errortracking, achievements]
 """
+DRAWN = {
+    ("Ready", "start", "Printing"),
+    ("Printing", "pause", "Paused"),
+    ("Paused", "resume", "Printing"),
+    ("Printing", "cancel", "Ready"),
+    ("Paused", "cancel", "Ready"),
+}
 PRINT = "M140 S60\n" + "".join(f"G1 X{number % 100} F300\n" for number in range(20_000))
 
 
@@ -77,22 +95,17 @@ class OctoPrintTest(unittest.TestCase):
         self.addCleanup(broker.close)
         (place / "key.txt").write_text(KEY, encoding="utf-8")
         self.place = place
-        self.broker = broker
+        self.replaced = {
+            "http://octopi.local": self.octoprint.address,
+            "mqtt://127.0.0.1": f"mqtt://127.0.0.1:{broker.port}",
+            "# header-files": "header-files",
+            "every: 1 s": "every: 200 ms",
+            "every: 5 s": "every: 500 ms",
+        }
         self.octoprint.select(PRINT)
 
     def print(self, patience: str = "30 min") -> Converter:
-        converter = Converter(
-            "octoprint",
-            self.place,
-            {
-                "http://octopi.local": self.octoprint.address,
-                "mqtt://127.0.0.1": f"mqtt://127.0.0.1:{self.broker.port}",
-                "# header-files": "header-files",
-                "every: 1 s": "every: 200 ms",
-                "every: 5 s": "every: 500 ms",
-                "after 30 min": "after " + patience,
-            },
-        )
+        converter = Converter("octoprint", self.place, {**self.replaced, "after 30 min": "after " + patience})
         self.addCleanup(converter.close)
         converter.wait_for("Ready, Ready")
         converter.type("press start")
@@ -121,6 +134,15 @@ class OctoPrintTest(unittest.TestCase):
         converter.wait_for("Ready, Ready")
         self.octoprint.wait_for("Operational")
         self.assertEqual(self.octoprint.bed()["target"], 0)
+
+    def test_what_is_learned_is_what_its_readme_draws(self) -> None:
+        model = self.place / "learned.mmd"
+        file = copied("octoprint", self.place, {**self.replaced, "settle: 3 s": "settle: 1 s"})
+        printed = learned(file, model, "--longest", "2 s")
+        # A pause in a pause is accepted, too, and changes nothing.
+        self.assertEqual({arrow for arrow in arrows(model) if arrow[0] != arrow[2]}, DRAWN)
+        self.assertIn("tested to depth 1", printed)
+        self.octoprint.wait_for("Operational")
 
     def test_what_is_done_on_its_page_is_followed(self) -> None:
         converter = self.print()

@@ -31,6 +31,11 @@ final class Answers implements MealyMembershipOracle<String, String> {
 
     private static final int MOST_CUTS = 30;
 
+    /** What a reset does not undo, such as a mode that the device does not tell, looks like a change. */
+    private static final String REMEDY =
+            "; see that learn.reset undoes all that can be pressed, also what the device does not"
+                    + " tell, that learn.settle is long enough, and learn it again, with a new journal";
+
     private final AnswerTree tree = new AnswerTree();
     private final Session session;
     private final @Nullable AnswerLog log;
@@ -201,7 +206,7 @@ final class Answers implements MealyMembershipOracle<String, String> {
                         votes.entrySet().stream()
                                 .map(vote -> "'" + readable(vote.getKey()) + "' (" + vote.getValue() + " times)")
                                 .toList())
-                + "; to ask it again, begin a new journal");
+                + REMEDY);
     }
 
     private void decide(Node node, String input, Edge edge, String output) {
@@ -214,7 +219,7 @@ final class Answers implements MealyMembershipOracle<String, String> {
             throw new OpenEndException("the device has changed while it was learned, or is unstable: after "
                     + names(node.path()) + ", "
                     + name(input) + " was answered by '" + readable(edge.heard().output()) + "' (" + edge.seen()
-                    + " times), and now by '" + readable(output) + "'; learn it again, with a new journal");
+                    + " times), and now by '" + readable(output) + "'" + REMEDY);
         }
         throw new AgainException();
     }
