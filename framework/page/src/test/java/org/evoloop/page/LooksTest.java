@@ -172,6 +172,20 @@ class LooksTest {
         browser.evaluate("document.querySelector('[data-view=all]').click()");
         browser.await("document.querySelector('#new .state.now')");
         assertThat(browser.evaluate(CUT)).isEmpty();
+        // Where it is is in the middle, as far as there is more on both sides.
+        for (String event : List.of("Clean", "Spot", "Clean")) {
+            press(event);
+            String now = shown.converter
+                    .history()
+                    .get(shown.converter.history().size() - 1)
+                    .after()
+                    .evolved()
+                    .name();
+            browser.await("document.querySelector('#new .state.now')?.dataset.state === '" + now + "'");
+            browser.await(
+                    "(([state, port]) => state.left >= port.left && state.right <= port.right)(['#new .state.now .box', '#new']"
+                            + ".map(one => document.querySelector(one).getBoundingClientRect()))");
+        }
     }
 
     @ParameterizedTest
