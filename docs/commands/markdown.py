@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 
 _COMMAND = re.compile(r"(?:[A-Z_]+=\S+ )?(?:\./evoloop|\./mvnw|java|prism) \S")
-_FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
+_FENCE = re.compile(r"^(`{3,}).*?^\1", re.MULTILINE | re.DOTALL)
 _INLINE = re.compile(r"`([^`]+)`")
 
 
 def commands(text: str) -> list[str]:
     """The commands in code blocks, joined to one line without comments, and those within sentences."""
-    blocks = [line for fence in _FENCE.findall(text) for line in fence.splitlines()]
+    blocks = [line for fence in _FENCE.finditer(text) for line in fence.group().splitlines()]
     prose = _FENCE.sub("", text)
     blocks += [line[4:] for line in prose.splitlines() if line.startswith("    ")]
     lines = "\n".join(blocks).replace("\\\n", " ").splitlines()

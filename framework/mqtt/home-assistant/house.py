@@ -8,15 +8,20 @@ import shutil
 import signal
 import socket
 import subprocess
+import tempfile
 import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 PROJECT = Path(__file__).resolve().parents[3]
 ROOT = Path(os.environ.get("EVOLOOP_HOME_ASSISTANT", PROJECT / "target/home-assistant-root"))
 BROKER = shutil.which("mosquitto", path=os.environ["PATH"] + ":/usr/sbin") or "mosquitto"
 MODELS = ["java", f"-Devoloop.home={PROJECT}", "-jar", str(PROJECT / "framework/models/target/evoloop-models.jar")]
+# Device files in the folder "devices", and beside this file.
+DEVICES = ("roller-shutter", "air-conditioner", "zigbee-bulb", "fan", "valetudo", "washing-machine")
+OWN_FILES = ("garage", "door", "tap", "mist")
 PATIENCE_S = 120
 # The first start downloads what the integrations need.
 INSTALLATION_S = 900
@@ -37,6 +42,16 @@ automation:
         data:
           topic: "test/told/{{ trigger.payload }}"
           payload: "{{ states(trigger.payload) }}"
+  - alias: tell what has failed
+    triggers:
+      - trigger: state
+        entity_id: event.roller_shutter_failure
+        not_to: [unknown, unavailable]
+    actions:
+      - action: mqtt.publish
+        data:
+          topic: test/failed
+          payload: "{{ trigger.to_state.attributes.event_type }}: {{ trigger.to_state.attributes.text }}"
   - alias: call
     mode: parallel
     max: 50
@@ -61,6 +76,22 @@ def program(jar: str, *options: str) -> list[str]:
     return ["java", f"-Devoloop.home={PROJECT}", "-jar", str(PROJECT / jar), "--start", *options]
 
 
+def store(config: Path, key: str, data: dict[str, Any], version: int, minor_version: int = 1) -> None:
+    """Writes what Home Assistant itself would store."""
+    stored = {"version": version, "minor_version": minor_version, "key": key, "data": data}
+    (config / ".storage" / key).write_text(json.dumps(stored))
+
+
+def store_port(config: Path, port: int) -> None:
+    """The port of Home Assistant's pages; one in the configuration would have to be confirmed there within five minutes."""
+    http = {
+        "server_host": ["127.0.0.1"], "server_port": port, "cors_allowed_origins": [], "login_attempts_threshold": -1,
+        "ip_ban_enabled": True, "ssl_profile": "intermediate_v6", "use_x_frame_options": True,
+        "created_at": "2026-11-01T00:00:00+00:00", "error": None, "error_message": None,
+    }
+    store(config, "http", {"stable": http, "pending": None, "yaml_migration_done": True}, 3)
+
+
 class House:
     """A house with one broker, which loses everything when it ends."""
 
@@ -69,6 +100,7 @@ class House:
         self.folder = folder
         self.extra = extra
         self.port = free_port()
+        self.page_port = free_port()
         self.newest: dict[str, str] = {}
         self.processes: dict[str, subprocess.Popen[bytes]] = {}
         (folder / "broker.conf").write_text(f"listener {self.port} 127.0.0.1\nallow_anonymous true\npersistence false\n")
@@ -76,9 +108,8 @@ class House:
         self._configure()
 
     def _configure(self) -> None:
-        config = ROOT / "config"
-        shutil.rmtree(config, ignore_errors=True)
-        (config / ".storage").mkdir(parents=True)
+        config = self.config = Path(tempfile.mkdtemp(prefix="house-", dir=ROOT))
+        (config / ".storage").mkdir()
         (config / "configuration.yaml").write_text(CONFIGURATION + self.extra)
         entry = {
             "created_at": "2026-11-01T00:00:00+00:00", "modified_at": "2026-11-01T00:00:00+00:00",
@@ -87,8 +118,8 @@ class House:
             "version": 2, "minor_version": 1, "pref_disable_new_entities": False, "pref_disable_polling": False,
             "source": "user", "subentries": [], "title": "broker", "unique_id": None,
         }
-        stored = {"version": 1, "minor_version": 5, "key": "core.config_entries", "data": {"entries": [entry]}}
-        (config / ".storage/core.config_entries").write_text(json.dumps(stored))
+        store(config, "core.config_entries", {"entries": [entry]}, 1, 5)
+        store_port(config, self.page_port)
 
     def start(self, name: str, command: list[str]) -> None:
         with (self.folder / f"{name}.log").open("ab") as log:
@@ -134,19 +165,36 @@ class House:
         self.start_home_assistant()
 
     def start_programs(self) -> None:
-        """Starts the light bulb and a simulated Roomba, at five times its speed."""
+        """Starts the light bulb and a simulated Roomba."""
         url = f"mqtt://127.0.0.1:{self.port}"
         self.start("lamp", program("lightbulb-example/target/lightbulb-example.jar", "--mqtt", url))
+        self.start_roomba()
+
+    def start_roomba(self) -> None:
+        """A simulated Roomba, at five times its speed, which has quiet hours and a schedule."""
+        models = PROJECT / "models/roomba.xml"
         self.start(
-            "roomba", program("roomba-converter/target/roomba-converter.jar", "--simulate", "--speed", "5", "--mqtt", url)
+            "roomba",
+            program(
+                "roomba-converter/target/roomba-converter.jar",
+                *("--simulate", "--speed", "5", "--original", f"{models}#original", "--new", f"{models}#home"),
+                *("--clean-at", "09:00", "--quiet-hours", "22:00-07:00", "--mqtt", f"mqtt://127.0.0.1:{self.port}"),
+            ),
         )
 
     def start_home_assistant(self, limit_s: int = PATIENCE_S) -> None:
         self.newest.pop("homeassistant/status", None)
         # /proc exists for this process only, so nothing stays mounted.
-        inside = 'mount -t proc proc "$0/proc" && exec chroot "$0" /venv/bin/hass -c /config'
-        self.start("home-assistant", ["unshare", "--mount", "sh", "-c", inside, str(ROOT)])
+        inside = 'mount -t proc proc "$0/proc" && exec chroot "$0" /venv/bin/hass -c "/$1"'
+        self.start("home-assistant", ["unshare", "--mount", "sh", "-c", inside, str(ROOT), self.config.name])
         self.wait("Home Assistant's birth", lambda: self.newest.get("homeassistant/status") == "online", limit_s)
+
+    def start_devices(self) -> None:
+        """Starts device files with entities of each kind."""
+        for name in OWN_FILES:
+            self.start_device(name, Path(__file__).with_name(f"{name}.yaml"))
+        for name in DEVICES:
+            self.start_device(name, PROJECT / f"devices/{name}/{name}.yaml")
 
     def start_device(self, name: str, file: Path) -> None:
         """Starts a device file, played by its model."""
@@ -163,6 +211,10 @@ class House:
         """What Home Assistant shows now, by a new request."""
         self.publish("test/ask", entity)
         return self.newest.pop(f"test/told/{entity}", "")
+
+    def wait_there(self, entity: str) -> None:
+        """An entity that does not exist is unknown; a button always is until it is pressed."""
+        self.wait(entity, lambda: self.shown(entity) not in ("", "unavailable", "unknown"))
 
     def wait_shown(self, entity: str, state: str) -> None:
         self.wait(f"{entity} {state}", lambda: self.shown(entity) == state)
@@ -187,3 +239,4 @@ class House:
     def close(self) -> None:
         for name in list(self.processes):
             self.stop(name)
+        shutil.rmtree(self.config)

@@ -1,4 +1,6 @@
-"""Takes the pictures of docs/home-assistant.md in the real Home Assistant: pictures.py [DIRECTORY].
+"""Takes the pictures of docs/home-assistant.md in the real Home Assistant: pictures.py [DIRECTORY [all]].
+
+With "all" also those of every device that the test operates, to be looked at.
 
 Needs what ./evoloop test --home-assistant has set up, Chromium, and Python's playwright.
 """
@@ -13,19 +15,20 @@ import urllib.parse
 import urllib.request
 from pathlib import Path
 
-from house import PATIENCE_S, PROJECT, ROOT, House, free_port
+from house import DEVICES, OWN_FILES, PATIENCE_S, PROJECT, House
 from playwright.sync_api import Page as Tab
 from playwright.sync_api import sync_playwright
 
 BROWSERS = ("chromium-headless-shell", "chromium")
 # Home Assistant saves what it has discovered 10 s later.
 REGISTRY_S = 60
-SIZE = {"width": 1280, "height": 1120}
+WIDTH, HEIGHT = 1280, 1120
+# A page with more: its configuration and its pictures shall be seen.
+HEIGHTS = {"roomba": 2240}
 
 
-def configuration(port: int) -> str:
-    """The configuration, in which clients on this computer need not log in."""
-    return f"""
+# Clients on this computer need not log in.
+CONFIGURATION = """
 homeassistant:
   name: Home
   auth_providers:
@@ -33,9 +36,6 @@ homeassistant:
       trusted_networks: ["127.0.0.1"]
       allow_bypass_login: true
     - type: homeassistant
-http:
-  server_host: 127.0.0.1
-  server_port: {port}
 frontend:
 config:
 onboarding:
@@ -78,45 +78,45 @@ class Page:
         tab.screenshot(path=picture, animations="disabled")
 
 
-def devices() -> dict[str, str]:
+def devices(house: House) -> dict[str, str]:
     """The ids of Home Assistant's devices, by their names."""
-    registry = ROOT / "config/.storage/core.device_registry"
+    registry = house.config / ".storage/core.device_registry"
     if not registry.exists():
         return {}
     return {device["name"].lower(): device["id"] for device in json.loads(registry.read_text())["data"]["devices"]}
 
 
-def main(target: Path) -> None:
-    port = free_port()
+def main(target: Path, everything: bool) -> None:
     with tempfile.TemporaryDirectory() as folder:
-        house = House(Path(folder), configuration(port))
+        house = House(Path(folder), CONFIGURATION)
         try:
             house.start_home_assistant_twice()
-            page = Page(port)
+            page = Page(house.page_port)
             page.onboard()
             house.start_programs()
+            pages = [("lamp", "Press switch"), ("roomba", "Press spot")]
+            if everything:
+                house.start_devices()
+                pages += [(name, "State") for name in (*OWN_FILES, *DEVICES)]
             for entity in ("switch.lamp_converting", "vacuum.roomba"):
-                house.wait(entity, lambda: house.shown(entity) not in ("", "unavailable", "unknown"))
+                house.wait_there(entity)
             house.call("button.press", "button.lamp_press_switch")
             house.wait_shown("sensor.lamp_state", "on")
             house.call("vacuum.start", "vacuum.roomba")
             house.wait_shown("vacuum.roomba", "cleaning")
-            house.wait("Home Assistant's devices", lambda: {"lamp", "roomba"} <= devices().keys(), REGISTRY_S)
+            house.wait("Home Assistant's devices", lambda: {name for name, _ in pages} <= devices(house).keys(), REGISTRY_S)
             browser = next((found for found in map(shutil.which, BROWSERS) if found), None)
             if browser is None:
                 sys.exit("no Chromium; install chromium-headless-shell")
             with sync_playwright() as playwright:
-                tab = playwright.chromium.launch(executable_path=browser).new_page(viewport=SIZE)
+                tab = playwright.chromium.launch(executable_path=browser).new_page()
                 tab.set_default_timeout(PATIENCE_S * 1000)
-                # The page asks whether the port may stay.
-                tab.goto(page.url + "config")
-                tab.get_by_role("button", name="Confirm").click()
-                tab.get_by_role("button", name="Confirm").wait_for(state="hidden")
-                for name, last in (("lamp", "Press switch"), ("roomba", "Press spot")):
-                    page.take(tab, f"config/devices/device/{devices()[name]}", last, target / f"home-assistant-{name}.png")
+                for name, last in pages:
+                    tab.set_viewport_size({"width": WIDTH, "height": HEIGHTS.get(name, HEIGHT)})
+                    page.take(tab, f"config/devices/device/{devices(house)[name]}", last, target / f"home-assistant-{name}.png")
         finally:
             house.close()
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else PROJECT / "docs")
+    main(Path(sys.argv[1]) if len(sys.argv) > 1 else PROJECT / "docs", sys.argv[2:] == ["all"])

@@ -26,11 +26,11 @@ module org.evoloop.device {
     uses org.evoloop.device.ConnectionKind;
 
     provides org.evoloop.device.ConnectionKind with
-            org.evoloop.device.GpioKind,
-            org.evoloop.device.HomeAssistantKind,
-            org.evoloop.device.HttpKind,
-            org.evoloop.device.LineKind,
-            org.evoloop.device.MqttKind,
-            org.evoloop.device.ProgramKind,
-            org.evoloop.device.WebhookKind;
+            org.evoloop.device.connection.GpioKind,
+            org.evoloop.device.connection.HomeAssistantKind,
+            org.evoloop.device.connection.HttpKind,
+            org.evoloop.device.connection.LineKind,
+            org.evoloop.device.connection.MqttKind,
+            org.evoloop.device.connection.ProgramKind,
+            org.evoloop.device.connection.WebhookKind;
 }

@@ -10,4 +10,5 @@ module org.evoloop.mqtt {
 
     exports org.evoloop.mqtt;
     exports org.evoloop.mqtt.edge;
+    exports org.evoloop.mqtt.home;
 }

@@ -212,7 +212,11 @@ final class RoombaCommand {
         }
         setup.picture(above(roomba, simulated));
         eyes.map(Eyes::picture).ifPresent(setup::picture);
-        setup.home(home -> home.entity(new RoombaVacuum(roomba.session(), roomba.converter()).entity()));
+        boolean waits = roomba.models().functions().containsValue(RobotFunction.QUIET_HOURS);
+        setup.home(home -> {
+            home.entity(new RoombaVacuum(roomba.session(), roomba.converter()).entity());
+            roomba.day().settings(clock, waits).forEach(home::setting);
+        });
     }
 
     private static List<String> buttons(RoombaConverter roomba) {

@@ -8,6 +8,7 @@ import java.util.function.IntFunction;
 import org.evoloop.converter.EventMonitor;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.converter.TimetableMonitor;
 import org.evoloop.journal.Journal;
 import org.evoloop.link.Link;
 import org.evoloop.loop.LoopConfig;
@@ -29,13 +30,15 @@ import org.evoloop.time.Clock;
  * @param controller the monitor of an external controller's buttons
  * @param converter built, not started
  * @param properties the properties of its models and of other models to which it may evolve
+ * @param day when the robot cleans by itself
  */
 public record RoombaConverter(
         RoombaSession session,
         EventMonitor robot,
         PushMonitor controller,
         SystemEventConverter converter,
-        WrittenProperties properties)
+        WrittenProperties properties,
+        DayPlan day)
         implements AutoCloseable {
 
     /**
@@ -56,8 +59,10 @@ public record RoombaConverter(
                 session, original, event -> mayMove.get() && models(converter).restartsMove(current(converter), event));
         converter.addMonitor(robot);
         converter.addMonitor(controller);
-        if (!options.timetable().isEmpty()) {
-            converter.addMonitor(Timetable.monitor(options.timetable()));
+        DayPlan day = DayPlan.of(options.quietHours(), options.timetable());
+        TimetableMonitor timetable = day.timetable();
+        if (timetable != null) {
+            converter.addMonitor(timetable);
         }
         converter.addExecute(new ExecuteCommand(session, original, clock, resumption));
         converter.addKnowledge(knowing.apply(options.models()));
@@ -81,7 +86,7 @@ public record RoombaConverter(
         if (journal != null) {
             session.assume(RobotEvents.activity(converter.status().states().original()));
         }
-        return new RoombaConverter(session, robot, controller, converter, properties);
+        return new RoombaConverter(session, robot, controller, converter, properties, day);
     }
 
     static KnowledgeState knowledge(

@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * The options of a {@link RoombaConverter}.
  *
- * <p>Threading: immutable.
+ * <p>Threading: immutable, but for the quiet hours, which their owner may change.
  */
 public final class RoombaOptions {
     private final RobotModels models;

@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.evoloop.converter.TimetableMonitor;
 
 /**
@@ -21,8 +22,18 @@ record Timetable(LocalTime time, List<DayOfWeek> days) {
     private static final Pattern TEXT =
             Pattern.compile("(?:(?<days>[A-Za-z,]+)\\s+)?(?<time>([01]\\d|2[0-3]):[0-5]\\d)");
 
-    /** @throws IllegalArgumentException if the text has another form */
+    /** @throws IllegalArgumentException if the text, of the option, has another form */
     static Timetable parse(String text) {
+        return parse("--clean-at", text);
+    }
+
+    /**
+     * Reads a time.
+     *
+     * @param name of what is set, for messages
+     * @throws IllegalArgumentException if the text has another form
+     */
+    static Timetable parse(String name, String text) {
         Matcher parts = TEXT.matcher(text.strip());
         if (parts.matches()) {
             String names = parts.group("days");
@@ -35,7 +46,7 @@ record Timetable(LocalTime time, List<DayOfWeek> days) {
                         days.stream().flatMap(Optional::stream).toList());
             }
         }
-        throw new IllegalArgumentException("--clean-at is " + text
+        throw new IllegalArgumentException(name + " is " + text
                 + "; give a time of day, alone or after the days, for example 09:00 or MON,FRI 09:00");
     }
 
@@ -48,9 +59,18 @@ record Timetable(LocalTime time, List<DayOfWeek> days) {
     /** A controller that raises {@code schedule} at these times. */
     static TimetableMonitor monitor(List<Timetable> entries) {
         TimetableMonitor monitor = new TimetableMonitor("Timetable", ZoneId.systemDefault());
-        for (Timetable entry : entries) {
-            monitor.at(entry.time(), RobotEvents.SCHEDULE, entry.days().toArray(DayOfWeek[]::new));
-        }
+        entries.forEach(entry -> entry.addTo(monitor));
         return monitor;
+    }
+
+    void addTo(TimetableMonitor monitor) {
+        monitor.at(time, RobotEvents.SCHEDULE, days.toArray(DayOfWeek[]::new));
+    }
+
+    /** As its owner writes it. */
+    @Override
+    public String toString() {
+        String names = days.stream().map(day -> day.name().substring(0, 3)).collect(Collectors.joining(","));
+        return names.isEmpty() ? time.toString() : names + " " + time;
     }
 }

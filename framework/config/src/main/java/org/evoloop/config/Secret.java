@@ -4,7 +4,9 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermission;
 import java.util.Map;
 import java.util.Optional;
 
@@ -55,6 +57,15 @@ public record Secret(Option<Path> file, String variable) {
      */
     public static String read(Path from) {
         return read(from, from + " ");
+    }
+
+    /** Whether all users of this computer may read a secret's file, as far as the file system tells. */
+    public static boolean isShared(Path file) {
+        try {
+            return Files.getPosixFilePermissions(file).contains(PosixFilePermission.OTHERS_READ);
+        } catch (IOException | UnsupportedOperationException notTold) {
+            return false;
+        }
     }
 
     /** @param subject of each message */

@@ -64,7 +64,12 @@ public final class OfferedModels {
         converter.evolve(Evolution.to(converter.knowledgeOf(next)).withDeadline(PATIENCE));
     }
 
-    private ModelPair pair(String reference) {
+    /**
+     * The device's model with one of them.
+     *
+     * @throws ModelException if it can no longer be read
+     */
+    public ModelPair pair(String reference) {
         return new ModelPair(converter.knowledge().models().original(), models.read(reference));
     }
 

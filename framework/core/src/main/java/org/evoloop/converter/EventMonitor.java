@@ -89,6 +89,11 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         public Set<Event> spontaneousEvents() {
             return EventsByName.of(name() + ".spontaneousEvents()", EventMonitor.this.spontaneousEvents());
         }
+
+        @Override
+        public Set<Event> controllerEvents() {
+            return EventsByName.of(name() + ".controllerEvents()", EventMonitor.this.controllerEvents());
+        }
     }
 
     /** @throws IllegalArgumentException if it reports an event that is not among {@code names} */
@@ -207,6 +212,14 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
      * that it declares to be the device's own, need not be listed.
      */
     protected Set<String> spontaneousEvents() {
+        return Set.of();
+    }
+
+    /**
+     * Events that a controller raises through this monitor. Only those need be listed that the new model has in new states
+     * alone, where it cannot tell them from a function's; one that no model has counts for nothing.
+     */
+    protected Set<String> controllerEvents() {
         return Set.of();
     }
 

@@ -9,6 +9,7 @@ import java.time.ZoneId;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.slf4j.Logger;
@@ -33,6 +34,7 @@ public final class TimesOfDay<T> {
 
     private static final Logger LOG = LoggerFactory.getLogger(TimesOfDay.class);
     private static final Duration LONGEST_PAUSE = Duration.ofMinutes(1);
+    private static final Duration FORESIGHT = Duration.ofDays(14);
 
     private final ZoneId zone;
     private final List<Entry<T>> entries = new CopyOnWriteArrayList<>();
@@ -42,7 +44,13 @@ public final class TimesOfDay<T> {
 
     private record Entry<T>(LocalTime time, Set<DayOfWeek> days, T what) {}
 
-    private record Due<T>(Instant at, T what) {}
+    /**
+     * An item that is due.
+     *
+     * @param at when
+     * @param what the item
+     */
+    public record Due<T>(Instant at, T what) {}
 
     /**
      * An empty schedule.
@@ -68,8 +76,13 @@ public final class TimesOfDay<T> {
                 : Duration.between(now, soon.get(0).at());
     }
 
+    /** When the next item after {@code now} is due, within two weeks; empty if there is none. */
+    public Optional<Instant> next(Instant now) {
+        return between(now, now.plus(FORESIGHT)).stream().map(Due::at).findFirst();
+    }
+
     /** The items that have become due since the last check, in order. */
-    public List<T> due(Instant now) {
+    public List<Due<T>> due(Instant now) {
         if (now.isBefore(returned.minus(LATEST))) {
             LOG.info("the clock has gone back from {} to {}; times of the day go on from there", returned, now);
             returned = now;
@@ -80,10 +93,10 @@ public final class TimesOfDay<T> {
         Instant since = now.minus(LATEST);
         List<Due<T>> due = between(returned.isBefore(since) ? since : returned, now);
         returned = now;
-        return due.stream().map(Due::what).toList();
+        return due;
     }
 
-    /** The items due after {@code begin} and not after {@code end}, at most some hours later; in order. */
+    /** The items due after {@code begin} and not after {@code end}; in order. */
     private List<Due<T>> between(Instant begin, Instant end) {
         List<Due<T>> due = new ArrayList<>();
         // A time skipped for daylight saving time may come on the next day.

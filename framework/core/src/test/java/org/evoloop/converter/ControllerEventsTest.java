@@ -31,10 +31,11 @@ class ControllerEventsTest {
                     "Heating tooLong -> Off",
                     "Heating tm(5min) -> Off",
                     "Brewing steeped -> Off",
+                    "Brewing lift -> Off",
                     "Brewing lamp => Brewing"));
 
     @Test
-    void noTimerNoEventOfTheDeviceAndNoneOfAFunctionIsAmongThem() {
+    void noTimerNoEventOfTheDeviceAndNoneOfAFunctionIsAmongThemUnlessAMonitorReportsIt() {
         try (ManualClock clock = new ManualClock();
                 SystemEventConverter converter = new SystemEventConverter(
                         LoopConfig.defaults("kettle", clock).withoutThreads())) {
@@ -42,6 +43,12 @@ class ControllerEventsTest {
                 @Override
                 protected Set<String> spontaneousEvents() {
                     return Set.of("boils");
+                }
+            });
+            converter.addMonitor(new PushMonitor("Lid") {
+                @Override
+                protected Set<String> controllerEvents() {
+                    return Set.of("lift", "boils", "tm(5min)", "of another model");
                 }
             });
             converter.addExecute(new RecordingExecute("Kettle", "switch", "lamp"));
@@ -56,7 +63,9 @@ class ControllerEventsTest {
             converter.build();
 
             assertThat(converter.controllerEvents())
-                    .containsExactly(new Event("lamp"), new Event("switch"), new Event("tea"));
+                    .containsExactly(new Event("lamp"), new Event("lift"), new Event("switch"), new Event("tea"));
+            converter.remove("Lid");
+            assertThat(converter.controllerEvents()).doesNotContain(new Event("lift"));
         }
     }
 }

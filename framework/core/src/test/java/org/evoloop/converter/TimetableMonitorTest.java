@@ -109,6 +109,41 @@ class TimetableMonitorTest {
     }
 
     @Test
+    void theNextTimeIsLeftOutAndThoseAfterItAreNot() throws InterruptedException {
+        clock.set("2026-11-23T05:59:00Z");
+        begin(daily(ZoneOffset.UTC, LocalTime.of(6, 0), LocalTime.of(22, 0)));
+        timetable.skip(timetable.next(clock.wallTime()).orElseThrow());
+        assertThat(timetable.skipped(clock.wallTime())).contains(Instant.parse("2026-11-23T06:00:00Z"));
+        assertThat(timetable.next(clock.wallTime())).contains(Instant.parse("2026-11-23T22:00:00Z"));
+        pass(Duration.ofHours(2));
+        assertThat(timetable.skipped(clock.wallTime())).isEmpty();
+        pass(Duration.ofDays(1));
+        assertThat(heard).isEqualTo(at("2026-11-23T22:00:00Z", "2026-11-24T06:00:00Z"));
+    }
+
+    @Test
+    void whatASwitchedOffTimetableWouldHaveRungIsNotMadeUpFor() throws InterruptedException {
+        clock.set("2026-11-23T05:59:00Z");
+        begin(daily(ZoneOffset.UTC, LocalTime.of(6, 0)));
+        timetable.setOn(false);
+        assertThat(timetable.next(clock.wallTime())).isEmpty();
+        pass(Duration.ofMinutes(30));
+        timetable.setOn(true);
+        pass(Duration.ofDays(1));
+        assertThat(heard).isEqualTo(at("2026-11-24T06:00:00Z"));
+    }
+
+    @Test
+    void theNextTimeMayBeOnAnotherDay() {
+        // A Monday.
+        clock.set("2026-11-23T13:00:00Z");
+        begin(daily(ZoneOffset.UTC).at(LocalTime.NOON, "ring", DayOfWeek.MONDAY));
+        assertThat(timetable.next(clock.wallTime())).contains(Instant.parse("2026-11-30T12:00:00Z"));
+        timetable.skip(Instant.parse("2026-11-30T12:00:00Z"));
+        assertThat(timetable.next(clock.wallTime())).contains(Instant.parse("2026-12-07T12:00:00Z"));
+    }
+
+    @Test
     void whatHadComeBeforeTheStartIsNotMadeUpFor() throws InterruptedException {
         clock.set("2026-11-23T06:00:00Z");
         begin(daily(ZoneOffset.UTC, LocalTime.of(6, 0)));

@@ -21,6 +21,7 @@ import org.jspecify.annotations.Nullable;
 public abstract class Connection {
     private final String name;
     private final String kind;
+    private boolean ofDevice;
     private volatile boolean assembled;
 
     /**
@@ -73,6 +74,16 @@ public abstract class Connection {
         refuse(rule, "has no readings");
     }
 
+    /** Notes that the section {@code device} uses this connection; another is only the controller's, or a function's. */
+    final void useForDevice() {
+        ofDevice = true;
+    }
+
+    /** Whether the device cannot be operated without it. */
+    final boolean isOfDevice() {
+        return ofDevice;
+    }
+
     /** Whatever in the section {@code device} holds for all that is sent over this connection. */
     public void device(Section device) {}
 
@@ -110,6 +121,13 @@ public abstract class Connection {
         refuse(section, "runs no functions");
         return null;
     }
+
+    /**
+     * The converter is shown in Home Assistant under this name at its broker; called before {@link #assemble}.
+     *
+     * @param id of the converter there, by which a connection knows what is its own
+     */
+    public void shownAs(String id) {}
 
     /** Whether it is only played: nothing is ever sent over it, since no components have been made. */
     public final boolean isPlayed() {

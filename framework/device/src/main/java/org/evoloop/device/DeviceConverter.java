@@ -28,7 +28,8 @@ public final class DeviceConverter implements AutoCloseable {
     }
 
     /**
-     * Opens all connections of a file; it does not wait for the other end.
+     * Opens all connections of a file; it does not wait for the other end. The converter's link has only those that the
+     * section {@code device} uses: whoever operates the device need not wait for its controller.
      *
      * @param models that the converter has
      * @param monitor through which events are pressed
@@ -52,7 +53,7 @@ public final class DeviceConverter implements AutoCloseable {
             throws IOException {
         converter.addMonitor(monitor);
         List<Parts> all = new ArrayList<>();
-        Wiring.add(file, converter, parts -> {
+        Wiring.addForDevice(file, converter, parts -> {
             closing.add(parts.close());
             all.add(parts);
         });

@@ -14,6 +14,7 @@ import org.evoloop.check.timing.TimeRules;
 import org.evoloop.config.OptionLine;
 import org.evoloop.config.Options;
 import org.evoloop.converter.Effect;
+import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.device.file.DeviceFileException;
 import org.evoloop.device.file.Node;
@@ -221,6 +222,21 @@ public final class DeviceFile {
         return own;
     }
 
+    /**
+     * A monitor in place of the controls that the file names, such as a console.
+     *
+     * @param name of the monitor
+     */
+    public PushMonitor controller(String name) {
+        Set<String> pressed = models.allPressed();
+        return new PushMonitor(name) {
+            @Override
+            protected Set<String> controllerEvents() {
+                return pressed;
+            }
+        };
+    }
+
     /** What the file says about learning the device. */
     public LearnSection learning() {
         return learning;
@@ -338,7 +354,7 @@ public final class DeviceFile {
             });
             functionsAndEffects();
             file.section("learn").ifPresent(learn -> learning = LearnSection.read(learn, models, readings));
-            file.section("home-assistant").ifPresent(section -> home = HomeSection.read(section, models));
+            file.section("home-assistant").ifPresent(section -> home = HomeSection.read(section, models, readings));
             file.section("scenarios").ifPresent(all -> scenarios.addAll(Scenario.read(all, models, home)));
             programOptions.names().forEach(this::option);
             programOptions.check(options, file.problems()::at);
@@ -368,12 +384,13 @@ public final class DeviceFile {
 
         private void device(Section device) {
             device.section("send").ifPresent(this::sends);
-            rules(device, "state", Connection::state);
-            rules(device, "does", Connection::does);
+            rules(device, "state", ofDevice(Connection::state));
+            rules(device, "does", ofDevice(Connection::does));
             device.named("readings").forEach((reading, rule) -> {
                 readings.add(reading.value());
                 Connection from = connections.named(rule, "from");
                 if (from != null) {
+                    from.useForDevice();
                     from.reading(reading, rule);
                     rule.done();
                 }
@@ -417,6 +434,7 @@ public final class DeviceFile {
                         : shortForm(send, event, how);
                 Connection to = asked == null ? null : connections.named(asked, "to");
                 if (asked != null && to != null) {
+                    to.useForDevice();
                     asked.number("cost", 1, DeviceEvents.MAX_COST).ifPresent(cost -> costs.put(event.value(), cost));
                     to.send(event, asked);
                     asked.done();
@@ -448,6 +466,13 @@ public final class DeviceFile {
 
         private void rules(Section parent, String key, BiConsumer<Connection, Section> rule) {
             DeviceFile.rules(parent, key).forEach(each -> rule(each, rule));
+        }
+
+        private static BiConsumer<Connection, Section> ofDevice(BiConsumer<Connection, Section> rule) {
+            return (connection, section) -> {
+                connection.useForDevice();
+                rule.accept(connection, section);
+            };
         }
 
         private void rule(Section section, BiConsumer<Connection, Section> rule) {

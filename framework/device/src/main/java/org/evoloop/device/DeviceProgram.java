@@ -8,7 +8,6 @@ import org.evoloop.config.Option;
 import org.evoloop.config.Options;
 import org.evoloop.console.ConsoleCommand;
 import org.evoloop.converter.DeviceLink;
-import org.evoloop.converter.PushMonitor;
 import org.evoloop.mqtt.MqttOptions;
 import org.evoloop.page.PageOptions;
 import org.evoloop.program.Program;
@@ -73,7 +72,7 @@ public final class DeviceProgram {
     }
 
     private void assemble(ProgramSetup setup) throws IOException {
-        setup.controller(new PushMonitor("Console"));
+        setup.controller(file.controller("Console"));
         Reload reload = new Reload(file, setup.converter(), open(setup));
         setup.command(reload.command());
         setup.knowledge(reload::knowledge);
@@ -91,6 +90,9 @@ public final class DeviceProgram {
             links = Wiring.simulate(file, setup.converter(), parts -> add(parts, setup))
                     .orElseGet(() -> play(setup));
         } else {
+            MqttOptions.broker(setup.settings())
+                    .map(broker -> broker.id(file.name()))
+                    .ifPresent(id -> file.connections().forEach(connection -> connection.shownAs(id)));
             links = Wiring.add(file, setup.converter(), parts -> add(parts, setup));
         }
         file.guards().attach(setup.clock(), links);

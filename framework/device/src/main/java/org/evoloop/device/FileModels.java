@@ -39,11 +39,13 @@ public final class FileModels {
     private final List<Node.Text> sentByFunctions = new ArrayList<>();
 
     /**
+     * The reader of a file makes one; a test of a {@link ConnectionKind} can, too.
+     *
      * @param converter the converter's name
      * @param pair null if the file has no models: then every event is known
      * @param problems receives the mistakes
      */
-    FileModels(String converter, @Nullable ModelPair pair, Problems problems) {
+    public FileModels(String converter, @Nullable ModelPair pair, Problems problems) {
         this.converter = converter;
         this.pair = pair;
         this.problems = problems;
@@ -261,6 +263,11 @@ public final class FileModels {
 
     private static List<String> names(Set<State> states) {
         return states.stream().map(State::name).toList();
+    }
+
+    /** The events that controls raise. */
+    Set<String> allPressed() {
+        return Set.copyOf(pressed);
     }
 
     /** The events that are sent. */

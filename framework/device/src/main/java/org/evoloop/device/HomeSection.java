@@ -4,15 +4,16 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.mqtt.HomeAssistant;
-import org.evoloop.mqtt.HomeEntity;
-import org.evoloop.mqtt.HomeKind;
-import org.evoloop.mqtt.HomeTable;
+import org.evoloop.mqtt.home.HomeAssistant;
+import org.evoloop.mqtt.home.HomeEntity;
+import org.evoloop.mqtt.home.HomeKind;
+import org.evoloop.mqtt.home.HomeTable;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.Names;
 import org.jspecify.annotations.Nullable;
@@ -27,6 +28,9 @@ import org.jspecify.annotations.Nullable;
 public final class HomeSection {
     /** Nothing is said. */
     static final HomeSection NONE = new HomeSection(List.of());
+
+    /** Home Assistant makes ids of names, and takes no longer ones than 255 characters. */
+    private static final int LONGEST_NAME = 100;
 
     private final List<Placed> entities;
 
@@ -107,15 +111,20 @@ public final class HomeSection {
         return entities.stream().map(each -> each.entity().toString()).toList();
     }
 
-    /** Reads the section {@code home-assistant}. */
-    static HomeSection read(Section home, FileModels models) {
+    /**
+     * Reads the section {@code home-assistant}.
+     *
+     * @param readings those that the file declares; a connection may have others if it declares none
+     */
+    static HomeSection read(Section home, FileModels models, Set<String> readings) {
         List<Placed> entities = new ArrayList<>();
         Set<String> names = new HashSet<>();
         for (HomeKind kind : HomeKind.values()) {
             home.listed(kind.word()).forEach(section -> {
                 HomeEntity entity = entity(kind, section, models);
+                reading(kind, section, readings).ifPresent(entity::reading);
                 section.done();
-                if (!names.add(entity.toString())) {
+                if (!names.add(entity.key())) {
                     section.problem("there is another " + entity + "; give each its own name");
                 }
                 entities.add(new Placed(entity, section));
@@ -125,9 +134,30 @@ public final class HomeSection {
         return new HomeSection(entities);
     }
 
+    private static Optional<String> reading(HomeKind kind, Section section, Set<String> readings) {
+        Node.Text reading = section.text("reading").orElse(null);
+        if (reading == null) {
+            return Optional.empty();
+        }
+        if (!kind.hasReading()) {
+            section.problems().at(reading, "a " + kind.word() + " shows no reading; a cover and a climate do");
+        } else if (!readings.isEmpty() && !readings.contains(reading.value())) {
+            section.problems()
+                    .at(
+                            reading,
+                            "'" + reading + "' is no reading of the device" + Names.hint(reading.value(), readings));
+        }
+        return Optional.of(reading.value());
+    }
+
     private static HomeEntity entity(HomeKind kind, Section section, FileModels models) {
         HomeEntity entity = HomeEntity.of(kind);
-        section.text("name").ifPresent(name -> entity.name(name.value()));
+        section.text("name").ifPresent(name -> {
+            if (name.value().length() > LONGEST_NAME) {
+                section.problems().at(name, "a name has at most " + LONGEST_NAME + " characters");
+            }
+            entity.name(name.value());
+        });
         section.text("class").ifPresent(its -> {
             if (!kind.deviceClasses().contains(its.value())) {
                 section.problems()
@@ -138,18 +168,21 @@ public final class HomeSection {
             }
             entity.deviceClass(its.value());
         });
-        section.text("reading").ifPresent(reading -> entity.reading(reading.value()));
         section.pairs("states").forEach((state, as) -> entity.show(state.value(), as.value()));
         section.section("modes").ifPresent(modes -> {
             if (kind.modeWord().isEmpty()) {
                 modes.problem("a " + kind.word() + " has no modes; " + withModes() + " have");
             }
             for (Node.Text mode : modes.keys()) {
+                if (mode.value().equals(HomeTable.NO_MODE)) {
+                    modes.problems()
+                            .at(mode, "'" + mode + "' is how Home Assistant calls no mode; call this one otherwise");
+                }
                 modes.texts(mode.value()).forEach(state -> entity.mode(mode.value(), state.value()));
             }
         });
         section.pairs("commands").forEach((command, state) -> entity.command(command.value(), state.value()));
-        section.texts("presses").forEach(event -> entity.presses(models.pressed(event)));
+        section.texts("presses").forEach(event -> entity.presses(event.value()));
         section.texts("may-pass").forEach(state -> entity.mayPass(state.value()));
         section.section("never-in").ifPresent(states -> {
             for (Node.Text state : states.keys()) {
@@ -168,8 +201,9 @@ public final class HomeSection {
             states.done();
         });
         boolean needsModes = kind == HomeKind.SELECT || kind == HomeKind.EVENT;
-        if (needsModes && !section.has("modes")) {
-            section.problem("a " + kind.word() + " needs modes, such as {done: Done}, its " + kind.modeWord() + "s");
+        if (needsModes && entity.modeNames().isEmpty()) {
+            section.problem((kind == HomeKind.EVENT ? "an " : "a ") + kind.word()
+                    + " needs modes, such as {done: Done}, its " + kind.modeWord() + "s");
         }
         if (kind == HomeKind.BUTTON && !section.has("commands")) {
             section.problem("a button needs commands, {press: STATE}, with the state to which it leads");

@@ -44,6 +44,11 @@ public record Parts(
         commands = List.copyOf(commands);
     }
 
+    /** A copy whose link is not shown, and which nobody waits for. */
+    Parts withoutLink() {
+        return new Parts(monitors, executes, null, open, close, commands);
+    }
+
     /** Without commands. */
     public Parts(
             List<? extends EventMonitor> monitors,

@@ -12,8 +12,8 @@ import org.evoloop.converter.DeviceLink;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
 import org.evoloop.function.Reading;
-import org.evoloop.mqtt.HomeEntity;
-import org.evoloop.mqtt.HomeTable;
+import org.evoloop.mqtt.home.HomeEntity;
+import org.evoloop.mqtt.home.HomeTable;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.Names;
 import org.evoloop.testkit.ConverterHarness;
@@ -215,6 +215,7 @@ public record Scenario(String name, List<Line> steps) {
         file.guards().attach(clock, List.of(told));
         try (ConverterHarness converter = ConverterHarness.of(file.knowledge(file.models()))
                 .with(device)
+                .with(file.controller("Controls"))
                 .clock(clock)
                 .start()) {
             Running running = new Running(file, converter, device, clock, told);

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.evoloop.converter.DeviceLink;
 import org.evoloop.converter.SystemEventConverter;
 
@@ -24,6 +25,17 @@ final class Wiring {
      */
     static List<DeviceLink> add(DeviceFile file, SystemEventConverter converter, Consumer<Parts> each)
             throws IOException {
+        return add(file, converter, each, connection -> true);
+    }
+
+    /** As {@link #add}, for a converter whose link consists of those of the connections that the device needs. */
+    static void addForDevice(DeviceFile file, SystemEventConverter converter, Consumer<Parts> each) throws IOException {
+        add(file, converter, each, Connection::isOfDevice);
+    }
+
+    private static List<DeviceLink> add(
+            DeviceFile file, SystemEventConverter converter, Consumer<Parts> each, Predicate<Connection> isShown)
+            throws IOException {
         Map<Connection, Parts> all = new LinkedHashMap<>();
         for (Connection connection : file.connections()) {
             Parts parts = connection.assemble(converter);
@@ -35,6 +47,7 @@ final class Wiring {
         if (confirming != null) {
             all.replaceAll((connection, parts) -> connection == confirming ? parts : confirmedBy(confirming, parts));
         }
+        all.replaceAll((connection, parts) -> isShown.test(connection) ? parts : parts.withoutLink());
         return add(all.values(), converter);
     }
 

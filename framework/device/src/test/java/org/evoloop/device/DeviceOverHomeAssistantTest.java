@@ -7,7 +7,9 @@ import static org.awaitility.Awaitility.await;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.concurrent.CompletableFuture;
+import org.evoloop.Logged;
 import org.evoloop.config.Options;
 import org.evoloop.homeassistant.HomeImitation;
 import org.evoloop.payload.JsonRecord;
@@ -74,6 +76,25 @@ class DeviceOverHomeAssistantTest {
         }
     }
 
+    @Test
+    void whatTheConverterItselfShowsUnderItsNameAtTheBrokerIsRefused() throws Exception {
+        try (HomeImitation home = new HomeImitation();
+                Logged logged = new Logged("org.evoloop.homeassistant")) {
+            home.put("light.lamp", "off");
+            home.put("input_button.lamp", "unknown");
+            home.registered("light.lamp", "evoloop_desk_state");
+            Path file = file(
+                    "{home-assistant: \"http://homeassistant.local:8123\"",
+                    "{home-assistant: \"" + home.url() + "\", token-file: token");
+            // Nobody listens at this port, and nobody needs to.
+            CompletableFuture<Integer> status = console.run(file, "--start", "--mqtt", "mqtt://127.0.0.1:1?id=desk");
+            await().untilAsserted(() -> assertThat(logged.lines())
+                    .anyMatch(
+                            line -> line.contains("light.lamp is what this converter itself shows in Home Assistant")));
+            console.exit(status);
+        }
+    }
+
     private String refused(String from, String to) throws IOException {
         Path file = file(from, to);
         return String.valueOf(catchThrowable(() -> DeviceFile.read(file, Options.of())));
@@ -91,6 +112,56 @@ class DeviceOverHomeAssistantTest {
         assertThat(refused("turn off: light.turn_off", "turn off: {service: turn off, entity: Lamp}"))
                 .contains("lamp.yaml:12: entity: 'Lamp' is no entity's id")
                 .contains("lamp.yaml:12: service: 'turn off' is no service");
+    }
+
+    @Test
+    void aStateThatAnEntityNeverHasIsAMistake() throws IOException {
+        assertThat(refused("{\"off\": \"Off\"}", "{\"of\": \"Off\", unavailable: \"Off\"}"))
+                .contains("lamp.yaml:14: light.lamp is never 'of'; did you mean off or on?")
+                .contains("lamp.yaml:14: an entity that is unavailable cannot be reached, which is no state");
+    }
+
+    @Test
+    void aTokenInTheFileIsRefused() throws IOException {
+        assertThat(refused(", entity: light.lamp}", ", entity: light.lamp, token: secret}"))
+                .contains("lamp.yaml:6: a token in this file would be seen by everybody")
+                .doesNotContain("secret");
+    }
+
+    @Test
+    void whatIsNotThereIsSaidWithItsLine() throws Exception {
+        try (HomeImitation home = new HomeImitation();
+                Logged logged = new Logged("org.evoloop.homeassistant")) {
+            home.put("light.lamb", "off");
+            home.put("input_button.lamp", "unknown");
+            Path file = file(
+                    "{home-assistant: \"http://homeassistant.local:8123\"",
+                    "{home-assistant: \"" + home.url() + "\", token-file: token");
+            CompletableFuture<Integer> status = console.run(file, "--start");
+            await().untilAsserted(() -> assertThat(logged.lines())
+                    .anyMatch(line -> line.contains(
+                            "lamp.yaml:10: " + home.url() + " has no entity light.lamp; did you mean light.lamb?")));
+            console.exit(status);
+        }
+    }
+
+    @Test
+    void aTokenThatAllMayReadIsSaid() throws Exception {
+        try (HomeImitation home = new HomeImitation();
+                Logged logged = new Logged("org.evoloop.device")) {
+            home.put("light.lamp", "off");
+            home.put("input_button.lamp", "unknown");
+            Path file = file(
+                    "{home-assistant: \"http://homeassistant.local:8123\"",
+                    "{home-assistant: \"" + home.url() + "\", token-file: token");
+            Files.setPosixFilePermissions(folder.resolve("token"), PosixFilePermissions.fromString("rw-r--r--"));
+            CompletableFuture<Integer> status = console.run(file, "--start");
+            console.awaitStatus("link        up");
+            console.exit(status);
+            assertThat(logged.lines())
+                    .anyMatch(line -> line.contains("chmod 600 " + folder.resolve("token")))
+                    .noneMatch(line -> line.contains(HomeImitation.TOKEN));
+        }
     }
 
     @Test

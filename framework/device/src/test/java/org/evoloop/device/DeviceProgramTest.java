@@ -36,9 +36,11 @@ class DeviceProgramTest {
                 On --> Off : power
                 On --> Off : burnt
                 Off --> Timed : timed
+                On --> Timed : timed
                 Timed : «device On»
                 Timed --> Off : burnt
                 Timed --> Off : power
+                Timed --> On : lid opens
                 Off --> On : warm [hot]
             ```
             """;
@@ -59,6 +61,7 @@ class DeviceProgramTest {
               press:
                 - {values: {button power: power, button timed: timed}}
                 - {line: "button warm", event: warm}
+                - {values: {lid open: lid opens}}
             functions:
               Timed: {on-enter: {to: lamp, line: LED ON}, on-exit: {to: lamp, line: LED OFF}}
             guards:
@@ -113,6 +116,10 @@ class DeviceProgramTest {
         console.type("press timed");
         console.awaitHistory("timed (controller)  (Off, Off) -> (On, Timed)");
         await().until(() -> console.printed().contains("to lamp: LED ON"));
+        console.type("press lid_opens");
+        console.awaitHistory("lid opens (controller)  (On, Timed) -> (On, On)");
+        console.type("press timed");
+        console.awaitHistory("timed (controller)  (On, On) -> (On, Timed)");
         console.type("device burnt");
         console.awaitHistory("(On, Timed) -> (Off, Off)");
         console.type("press warm");

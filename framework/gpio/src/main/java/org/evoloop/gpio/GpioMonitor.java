@@ -31,6 +31,7 @@ public class GpioMonitor extends PushMonitor {
     private final Clock clock;
     private Duration debounce = SETTLED;
     private final Set<String> devicesOwn = new LinkedHashSet<>();
+    private final Set<String> pressed = new LinkedHashSet<>();
 
     /** @param name its name in the console, unique within a converter */
     public GpioMonitor(String name, Pins pins, Clock clock) {
@@ -52,6 +53,7 @@ public class GpioMonitor extends PushMonitor {
      * @throws IllegalArgumentException if the pin cannot be used
      */
     public final GpioMonitor controller(int pin, String event) {
+        pressed.add(event);
         return on(pin, () -> push(fromController(event)));
     }
 
@@ -100,5 +102,10 @@ public class GpioMonitor extends PushMonitor {
     @Override
     protected Set<String> spontaneousEvents() {
         return Set.copyOf(devicesOwn);
+    }
+
+    @Override
+    protected Set<String> controllerEvents() {
+        return Set.copyOf(pressed);
     }
 }

@@ -33,10 +33,15 @@ final class HomeChecks {
     }
 
     /** Notes what is wrong with the entities and the services, and what is no longer. */
-    void run(HomeEntities entities, Collection<ServiceCall> calls, Collection<String> own)
+    void run(HomeEntities entities, Collection<ServiceCall> calls, Collection<String> own, Expected expected)
             throws HomeException, InterruptedException {
+        JsonRecord entries = entries(entities.ids());
+        for (String id : entities.ids()) {
+            entries.inner(id).filter(HomeEntities::isDisabled).ifPresent(entry -> entities.disabled(id));
+        }
         entities.require(states.keySet(), place);
-        requireOthers(entities, own);
+        requireOthers(entities, entries, own);
+        expected.check(states, entities);
         JsonRecord services = session.ask("get_services").inner("result").orElseGet(() -> JsonRecord.of(NONE));
         for (ServiceCall call : calls) {
             Optional<String> mistake = mistake(call, services);
@@ -46,15 +51,7 @@ final class HomeChecks {
     }
 
     /** A converter whose input is its own output would answer itself for ever. */
-    private void requireOthers(HomeEntities entities, Collection<String> own)
-            throws HomeException, InterruptedException {
-        JsonRecord entries = session.ask(
-                        new JsonObject()
-                                .put("type", "config/entity_registry/get_entries")
-                                .putTexts("entity_ids", entities.ids()),
-                        event -> {})
-                .inner("result")
-                .orElseGet(() -> JsonRecord.of(NONE));
+    private static void requireOthers(HomeEntities entities, JsonRecord entries, Collection<String> own) {
         for (String id : entities.ids()) {
             boolean shown = entries.inner(id)
                     .filter(entry -> "mqtt".equals(entry.text("platform", "")))
@@ -69,6 +66,21 @@ final class HomeChecks {
             } else {
                 entities.isRight(loop(id));
             }
+        }
+    }
+
+    /** What the registry says of entities; nothing if this Home Assistant cannot be asked. */
+    private JsonRecord entries(Collection<String> ids) throws HomeException, InterruptedException {
+        JsonObject question = new JsonObject()
+                .put("type", "config/entity_registry/get_entries")
+                .putTexts("entity_ids", ids);
+        try {
+            return session.ask(question, event -> {}).inner("result").orElseGet(() -> JsonRecord.of(NONE));
+        } catch (HomeException refused) {
+            if (refused.hasCode("unknown_command")) {
+                return JsonRecord.of(NONE);
+            }
+            throw refused;
         }
     }
 

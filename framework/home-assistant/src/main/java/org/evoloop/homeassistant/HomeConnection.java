@@ -68,6 +68,7 @@ public final class HomeConnection implements DeviceLink, AutoCloseable {
     private final HomeEntities entities = new HomeEntities();
     private final Set<ServiceCall> calls = new LinkedHashSet<>();
     private final Set<String> own = new LinkedHashSet<>();
+    private final Expected expected = new Expected();
     private final Map<String, Subscription> subscriptions = new LinkedHashMap<>();
     private final List<Consumer<String>> whenLost = new CopyOnWriteArrayList<>();
     private final Attempts attempts = new Attempts();
@@ -123,6 +124,26 @@ public final class HomeConnection implements DeviceLink, AutoCloseable {
     /** Sets who hears of an entity; before {@link #open}. */
     void listen(String entity, HomeEntities.Listener listener) {
         entities.add(entity, listener);
+    }
+
+    /**
+     * Declares that this value will be heard of, so that it is checked after each connect that its entity has the
+     * attribute, and may be these texts, as far as Home Assistant tells; before {@link #open}.
+     */
+    public HomeConnection expect(EntityValue value, String... texts) {
+        expected.add(value, Set.of(texts));
+        return this;
+    }
+
+    /**
+     * Says where something was written that turns out to be wrong, for messages; before {@link #open}.
+     *
+     * @param what the text of an entity's id, of an {@link EntityValue}, of a {@link ServiceCall}, or of {@link HomeEvents}
+     * @param place such as {@code lamp.yaml:6}
+     */
+    public HomeConnection placed(String what, String place) {
+        entities.place(what, place);
+        return this;
     }
 
     /** Sets who hears of the events of a subscription; before {@link #open}. */
@@ -239,7 +260,7 @@ public final class HomeConnection implements DeviceLink, AutoCloseable {
     private void begin(HomeSession made) throws HomeException, InterruptedException {
         awaitStarted(made);
         made.ask(subscribing("entity_registry_updated"), entities::registered);
-        new HomeChecks(made, address).run(entities, calls, own);
+        new HomeChecks(made, address).run(entities, calls, own, expected);
         for (Subscription each : subscriptions.values()) {
             subscribe(made, each);
         }

@@ -93,6 +93,7 @@ public final class HomeDevice implements DeviceLink {
         return values.computeIfAbsent(what, first -> {
             EntityReports made = new EntityReports(what, connection.turns());
             connection.listen(what.entity(), made);
+            connection.expect(what);
             return made;
         });
     }

@@ -9,6 +9,7 @@ import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.evoloop.payload.JsonRecord;
+import org.evoloop.payload.Part;
 import org.evoloop.statemachine.Names;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -21,12 +22,15 @@ import org.slf4j.LoggerFactory;
  * <p>Threading: listeners are added before the connection is opened, and are called one at a time; the rest is thread-safe.
  */
 final class HomeEntities {
+    private static final Part DISABLED_BY = Part.at("/disabled_by");
     private static final Logger LOG = LoggerFactory.getLogger(HomeEntities.class);
 
     private final Map<String, List<Listener>> listeners = new TreeMap<>();
     private final Map<String, Entity> known = new ConcurrentHashMap<>();
     private final Map<String, Wrong> wrong = new ConcurrentHashMap<>();
-    private final Map<String, String> renamed = new ConcurrentHashMap<>();
+    private final Map<String, String> places = new ConcurrentHashMap<>();
+    /** Of those that somebody has renamed or disabled: what to do. */
+    private final Map<String, String> hidden = new ConcurrentHashMap<>();
 
     /** Hears of one entity. */
     interface Listener {
@@ -42,6 +46,11 @@ final class HomeEntities {
     }
 
     private record Wrong(String text, Instant since) {}
+
+    /** Where it is written what this key is about; the first place counts. */
+    void place(String key, String place) {
+        places.putIfAbsent(key, place);
+    }
 
     void add(String entity, Listener listener) {
         listeners.computeIfAbsent(entity, first -> new CopyOnWriteArrayList<>()).add(listener);
@@ -93,22 +102,41 @@ final class HomeEntities {
     }
 
     private void isGone(String id) {
-        String other = renamed.get(id);
         known.remove(id);
         note(
                 id,
-                id + " is no longer in Home Assistant"
-                        + (other == null
-                                ? "; if it was removed or renamed, name another entity"
-                                : ": it is called " + other + " now; write that name"));
+                hidden.getOrDefault(
+                        id, id + " is no longer in Home Assistant; if it was removed or renamed, name another entity"));
     }
 
     /** An event of the entity registry. */
     void registered(JsonRecord event) {
         JsonRecord data = event.inner("data").orElse(event);
-        if (data.has("old_entity_id") && listeners.containsKey(data.text("old_entity_id"))) {
-            String id = data.text("old_entity_id");
-            renamed.put(id, data.text("entity_id"));
+        String id = data.text("entity_id", "");
+        String before = data.text("old_entity_id", id);
+        // What has changed is told with the values that were there before.
+        JsonRecord changed = data.inner("changes").orElseGet(() -> JsonRecord.of("{}"));
+        hidden.remove(id);
+        if (!before.equals(id)) {
+            hides(before, before + " is called " + id + " now; write that name");
+        } else if (changed.has("disabled_by") && !isDisabled(changed)) {
+            disabled(id);
+        }
+    }
+
+    /** Whether an entry of the registry is that of an entity that somebody has disabled. */
+    static boolean isDisabled(JsonRecord entry) {
+        return DISABLED_BY.in(entry.copy().toString()).isPresent();
+    }
+
+    /** Somebody has disabled it, so that it has no state. */
+    void disabled(String id) {
+        hides(id, id + " is disabled in Home Assistant; enable it in its settings");
+    }
+
+    private void hides(String id, String why) {
+        if (listeners.containsKey(id)) {
+            hidden.put(id, why);
             if (wrong.containsKey(id)) {
                 isGone(id);
             }
@@ -117,19 +145,22 @@ final class HomeEntities {
 
     /** After a connect: what of them is not there, although Home Assistant has started. */
     void require(Collection<String> all, String place) {
-        listeners.keySet().stream().filter(id -> !all.contains(id)).forEach(id -> {
-            String other = renamed.get(id);
-            note(
-                    id,
-                    other == null
-                            ? place + " has no entity " + id + Names.hint(id, all)
-                                    + "; the entity's settings in Home Assistant show its id"
-                            : id + " is called " + other + " now; write that name");
-        });
+        listeners.keySet().stream()
+                .filter(id -> !all.contains(id))
+                .forEach(id -> note(
+                        id,
+                        hidden.getOrDefault(
+                                id,
+                                place + " has no entity " + id
+                                        + (Names.meant(id, all).isEmpty()
+                                                ? "; the entity's settings in Home Assistant show its id"
+                                                : Names.meant(id, all)))));
     }
 
     /** Something is wrong with an entity, or with what is asked of it; tells those that listen to it. */
-    void note(String key, String text) {
+    void note(String key, String what) {
+        String place = places.get(key);
+        String text = place == null ? what : place + ": " + what;
         Wrong before = wrong.get(key);
         if (before == null || !before.text().equals(text)) {
             wrong.put(key, new Wrong(text, before == null ? Instant.now() : before.since()));

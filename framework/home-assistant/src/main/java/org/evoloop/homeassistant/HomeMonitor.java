@@ -42,6 +42,7 @@ public class HomeMonitor extends PushMonitor {
     private final ReportRules events;
     private final ReportRules states;
     private final Set<String> devicesOwn = new LinkedHashSet<>();
+    private final Set<String> pressed = new LinkedHashSet<>();
     private @Nullable Inference inference;
 
     /** @param name its name in the console, unique within a converter */
@@ -86,6 +87,7 @@ public class HomeMonitor extends PushMonitor {
     }
 
     private HomeMonitor controller(String source, Meanings meanings) {
+        pressed.addAll(meanings.names());
         events.add(
                 source, meanings, ReportRules.Use.EVENT, event -> push(fromController(event.name(), event.values())));
         return this;
@@ -148,5 +150,10 @@ public class HomeMonitor extends PushMonitor {
     @Override
     protected Set<String> spontaneousEvents() {
         return Set.copyOf(devicesOwn);
+    }
+
+    @Override
+    protected Set<String> controllerEvents() {
+        return Set.copyOf(pressed);
     }
 }

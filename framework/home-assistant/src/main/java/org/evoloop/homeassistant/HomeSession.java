@@ -1,8 +1,11 @@
 package org.evoloop.homeassistant;
 
+import java.net.ConnectException;
 import java.net.http.HttpClient;
 import java.net.http.WebSocket;
 import java.net.http.WebSocketHandshakeException;
+import java.nio.channels.ClosedChannelException;
+import java.nio.channels.UnresolvedAddressException;
 import java.time.Duration;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
@@ -67,8 +70,8 @@ final class HomeSession implements WebSocket.Listener, AutoCloseable {
             throw new HomeException(address + " cannot be reached: " + reason(failure));
         } catch (TimeoutException late) {
             made.close();
-            throw new HomeException(
-                    address + " cannot be reached: it has not answered within " + LIMIT.toSeconds() + " s");
+            throw new HomeException(address + " cannot be reached: it has not answered within " + LIMIT.toSeconds()
+                    + " s; check the address, and whether it begins with http:// or https://");
         } catch (HomeException | InterruptedException failure) {
             made.close();
             throw failure;
@@ -98,6 +101,10 @@ final class HomeSession implements WebSocket.Listener, AutoCloseable {
         while (cause.getCause() != null && !(cause instanceof SSLException)) {
             cause = cause.getCause();
         }
+        String message = String.valueOf(cause.getMessage());
+        if (message.contains("SSL message")) {
+            return "it does not speak TLS there; begin the URL with http://, or check the port";
+        }
         if (cause instanceof SSLException) {
             return "its certificate is not accepted (" + cause.getMessage()
                     + "); give the URL ?ca=FILE or ?sha256=FINGERPRINT, and the name for which it was made";
@@ -105,8 +112,16 @@ final class HomeSession implements WebSocket.Listener, AutoCloseable {
         if (cause instanceof WebSocketHandshakeException) {
             return "what answers there is no Home Assistant; check the port";
         }
-        String message = cause.getMessage();
-        return (message == null ? cause.getClass().getSimpleName() : message) + "; check the address, and that it runs";
+        if (cause instanceof UnresolvedAddressException) {
+            return "there is no computer of this name; check the name, or write its number";
+        }
+        if (cause instanceof ClosedChannelException || cause instanceof ConnectException) {
+            return "nothing listens there; check the address, and that Home Assistant runs";
+        }
+        if (message.contains("HTTP/1.1") || message.contains("status line")) {
+            return "what answers there does not speak http://; check the port, and whether it wants https://";
+        }
+        return message + "; check the address, and that Home Assistant runs";
     }
 
     /** Sends a request; the answer's failure is a {@link HomeException}. */

@@ -212,13 +212,28 @@ class HomeConnectionTest {
         run();
         awaitUp();
         home.rename("light.lamp", "light.desk");
-        awaitTrouble("light.lamp is no longer in Home Assistant: it is called light.desk now; write that name");
+        awaitTrouble("light.lamp is called light.desk now; write that name");
         home.drop();
         awaitTrouble("light.lamp is called light.desk now; write that name");
+        home.rename("light.desk", "light.lamp");
+        awaitUp();
+        home.remove("light.lamp");
+        awaitTrouble("light.lamp is no longer in Home Assistant; if it was removed");
+    }
+
+    @Test
+    void anEntityThatIsDisabledIsSaid() {
+        run();
+        awaitUp();
+        home.disable("light.lamp");
+        awaitTrouble("light.lamp is disabled in Home Assistant; enable it in its settings");
+        home.drop();
+        awaitTrouble("light.lamp is disabled in Home Assistant; enable it in its settings");
+        home.enable("light.lamp");
         home.put("light.lamp", "off");
         awaitUp();
         home.remove("light.lamp");
-        awaitTrouble("light.lamp is");
+        awaitTrouble("light.lamp is no longer in Home Assistant; if it was removed");
     }
 
     @Test

@@ -54,6 +54,7 @@ public class HttpExecute extends EventExecute implements DeviceLink {
     private Duration period = Duration.ofSeconds(10);
     private @Nullable Thread watch;
     private @Nullable ReentrantLock turn;
+    private @Nullable HttpPoll poll;
     private @Nullable Rest rest;
 
     /**
@@ -111,8 +112,13 @@ public class HttpExecute extends EventExecute implements DeviceLink {
         return this;
     }
 
-    /** The lock that is held while a step is carried out, so that a monitor's questions are not asked meanwhile. */
-    final ReentrantLock takeTurns() {
+    /**
+     * Tells a monitor of the same device of each step.
+     *
+     * @return the lock that is held while a step is carried out, so that the monitor's questions are not asked meanwhile
+     */
+    final ReentrantLock beside(HttpPoll monitor) {
+        poll = monitor;
         if (turn == null) {
             turn = new ReentrantLock(true);
         }
@@ -128,6 +134,9 @@ public class HttpExecute extends EventExecute implements DeviceLink {
     protected void awaitReady(Step step) throws InterruptedException {
         if (rest != null) {
             rest.await();
+        }
+        if (poll != null) {
+            poll.beforeStep();
         }
     }
 
@@ -163,6 +172,9 @@ public class HttpExecute extends EventExecute implements DeviceLink {
         } finally {
             if (rest != null) {
                 rest.begin();
+            }
+            if (poll != null) {
+                poll.afterStep();
             }
         }
     }

@@ -42,6 +42,7 @@ public class HttpMonitor extends PushMonitor implements AutoCloseable {
     private final Map<String, Function<Values, @Nullable CompletableFuture<EventOutcome>>> requests =
             new LinkedHashMap<>();
     private final Set<String> devicesOwn = new LinkedHashSet<>();
+    private final Set<String> pressed = new LinkedHashSet<>();
     private Door door = Door.loopback();
     private @Nullable RequestServer server;
 
@@ -75,6 +76,7 @@ public class HttpMonitor extends PushMonitor implements AutoCloseable {
      * @throws IllegalArgumentException if it is something else, or was set before
      */
     public final HttpMonitor controller(String request, String event) {
+        pressed.add(event);
         return on(request, values -> pressed(event, values));
     }
 
@@ -142,6 +144,11 @@ public class HttpMonitor extends PushMonitor implements AutoCloseable {
     @Override
     protected Set<String> spontaneousEvents() {
         return Set.copyOf(devicesOwn);
+    }
+
+    @Override
+    protected Set<String> controllerEvents() {
+        return Set.copyOf(pressed);
     }
 
     /** Frees the port. Idempotent. */

@@ -21,6 +21,7 @@ import org.evoloop.payload.Meanings;
 import org.evoloop.payload.Meanings.Meaning;
 import org.evoloop.payload.Part;
 import org.evoloop.payload.Readings;
+import org.evoloop.payload.Rest;
 import org.evoloop.payload.Steady;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
@@ -58,9 +59,11 @@ public class HttpPoll extends PushMonitor implements DeviceLink, AutoCloseable {
     private final Readings readings = new Readings();
     private final List<Report> reports = new ArrayList<>();
     private final Set<String> devicesOwn = new LinkedHashSet<>();
+    private final Set<String> pressed = new LinkedHashSet<>();
     private Meanings states = Meanings.NONE;
     private @Nullable Steady steady;
     private ReentrantLock turn = new ReentrantLock();
+    private final Rest sinceStep;
     private final Inference inference;
     private boolean inferring;
     private @Nullable Thread thread;
@@ -111,6 +114,7 @@ public class HttpPoll extends PushMonitor implements DeviceLink, AutoCloseable {
         this.inference = new Inference(converter, () -> devicesOwn);
         this.question = question;
         this.every = Clock.requireDelay(every);
+        this.sinceStep = new Rest(converter.clock(), every);
         this.caller = new Caller(limit);
         this.health = new Health(question.device(), MISSES);
     }
@@ -137,6 +141,7 @@ public class HttpPoll extends PushMonitor implements DeviceLink, AutoCloseable {
 
     /** Sets events of a controller that the answer reports; each occurs when the answer begins to mean it. */
     public final HttpPoll controller(Meanings events) {
+        pressed.addAll(events.names());
         reports.add(new Report(events, converter.clock(), event -> push(fromController(event.name(), event.values()))));
         return this;
     }
@@ -162,11 +167,28 @@ public class HttpPoll extends PushMonitor implements DeviceLink, AutoCloseable {
 
     /**
      * Declares that a component sends to the same device. Then no question is asked while a step is carried out, so that
-     * an answer is either older or newer than the step.
+     * an answer is either older or newer than the step. Before a step it is asked what the device has done since the last
+     * question, unless the last step is so recent that the device may not show its effect yet.
      */
     public final HttpPoll beside(HttpExecute execute) {
-        turn = execute.takeTurns();
+        turn = execute.beside(this);
         return this;
+    }
+
+    /** A step is about to be sent. */
+    final void beforeStep() throws InterruptedException {
+        if (isOpen() && sinceStep.isOver()) {
+            look();
+        }
+    }
+
+    private synchronized boolean isOpen() {
+        return thread != null && !closed;
+    }
+
+    /** A step has been sent. */
+    final void afterStep() {
+        sinceStep.begin();
     }
 
     /** Starts asking; does nothing if it was opened before, or is closed. */
@@ -226,6 +248,11 @@ public class HttpPoll extends PushMonitor implements DeviceLink, AutoCloseable {
     @Override
     protected Set<String> spontaneousEvents() {
         return Set.copyOf(devicesOwn);
+    }
+
+    @Override
+    protected Set<String> controllerEvents() {
+        return Set.copyOf(pressed);
     }
 
     @Override

@@ -116,6 +116,29 @@ class HttpPollTest {
         clock.close();
     }
 
+    /** The last question is up to a second old. */
+    @Test
+    void whatTheDeviceHasDoneSinceTheLastQuestionIsKnownBeforeAStepIsSent() {
+        shows("heating");
+
+        assertThat(buttons.submit("power").join().isHandled()).isTrue();
+
+        assertThat(posted).hasSize(1);
+        assertThat(converter.status().states().original()).hasToString("Off");
+    }
+
+    @Test
+    void anEffectThatDoesNotShowYetIsNoActOfTheDevice() {
+        assertThat(buttons.submit("power").join().isHandled()).isTrue();
+        assertThat(buttons.submit("power").join().isHandled()).isTrue();
+        assertThat(converter.status().states().original()).hasToString("Off");
+        assertThat(posted).hasSize(2);
+
+        clock.advance(SECOND.minusMillis(1));
+        assertThat(buttons.submit("power").join().isHandled()).isTrue();
+        assertThat(converter.status().states().original()).hasToString("Heating");
+    }
+
     private static void answer(HttpExchange exchange, int status, String body) throws IOException {
         byte[] bytes = body.getBytes(StandardCharsets.UTF_8);
         exchange.sendResponseHeaders(status, bytes.length);

@@ -176,12 +176,16 @@ public final class ConverterDevice implements LearnedDevice {
     private Reply send(String event) throws InterruptedException {
         sent++;
         EventOutcome outcome = submit(event);
+        if (outcome instanceof EventOutcome.Failed && !unknown) {
+            // The device stays as it is, and its timers run on.
+            return Reply.REFUSED;
+        }
         since = clock.nanoTime();
         if (outcome.isHandled()) {
             return Reply.ACCEPTED;
         }
         if (outcome instanceof EventOutcome.Failed) {
-            return unknown ? Reply.UNANSWERED : Reply.REFUSED;
+            return Reply.UNANSWERED;
         }
         throw new DisturbedException(event + ": " + outcome);
     }

@@ -17,6 +17,10 @@ final class Session {
     private static final int MOST_DISTURBED = 20;
 
     private static final int MOST_LOST = 3;
+
+    /** How often the device is begun to be brought home at the end. */
+    private static final int MOST_LEFT = 3;
+
     private static final Duration HOUR = Duration.ofHours(1);
     private static final Duration A_LOOK = Duration.ofMinutes(1);
 
@@ -117,19 +121,28 @@ final class Session {
             return "";
         }
         boolean stopped = Thread.interrupted();
+        String why = "";
         try {
-            device.reset();
-            return "";
-        } catch (LostException | DisturbedException lost) {
-            return "the device may not be at home: " + lost.getMessage();
-        } catch (InterruptedException again) {
-            stopped = true;
-            return "the device may not be at home: stopped while it was brought there";
+            for (int attempt = 0; attempt < MOST_LEFT; attempt++) {
+                try {
+                    device.reset();
+                    return "";
+                } catch (DisturbedException person) {
+                    why = String.valueOf(person.getMessage());
+                } catch (InterruptedException again) {
+                    // Whoever is impatient wants it at home, too.
+                    stopped = true;
+                    why = "stopped while it was brought there";
+                }
+            }
+        } catch (LostException lost) {
+            why = String.valueOf(lost.getMessage());
         } finally {
             if (stopped) {
                 Thread.currentThread().interrupt();
             }
         }
+        return "the device may not be at home: " + why;
     }
 
     private interface Sending {

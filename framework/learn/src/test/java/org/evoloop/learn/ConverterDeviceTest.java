@@ -16,6 +16,7 @@ import org.evoloop.learn.LearnedDevice.LostException;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.StateMachineBuilder;
+import org.evoloop.testkit.Incident;
 import org.evoloop.testkit.SimulatedDevice;
 import org.evoloop.time.SystemClock;
 import org.junit.jupiter.api.AfterEach;
@@ -108,6 +109,24 @@ class ConverterDeviceTest {
         assertThat(heard.shown()).isEqualTo("Off");
         assertThat(heard.after()).isGreaterThan(Duration.ofMillis(40));
         assertThat(device.await(Duration.ofMillis(20)).reply()).isEqualTo(Heard.Reply.SILENT);
+    }
+
+    @Test
+    void whatTheDeviceRefusesDoesNotChangeHowLongItHasBeenAsItIs() throws InterruptedException {
+        ConverterDevice device = device("Off", "power");
+        device.reset();
+        device.press("power");
+        device.press("boil");
+        long hot = clock.nanoTime();
+        kettle.incidents((number, event) -> List.of(Incident.refused()));
+        for (int i = 0; i < 10; i++) {
+            assertThat(device.press("power").reply()).isEqualTo(Heard.Reply.REFUSED);
+        }
+        long refused = clock.nanoTime();
+
+        kettle.actsAfter(Duration.ofMillis(1), "done");
+
+        assertThat(device.await(Duration.ofSeconds(20)).after()).isGreaterThan(Duration.ofNanos(refused - hot));
     }
 
     @Test

@@ -38,6 +38,7 @@ public class LineMonitor extends PushMonitor {
 
     private final List<Rule> rules = new CopyOnWriteArrayList<>();
     private final Set<String> devicesOwn = new LinkedHashSet<>();
+    private final Set<String> pressed = new LinkedHashSet<>();
 
     private record Rule(Meanings meanings, Function<Meanings.Meaning, Occurrence> means) {}
 
@@ -67,6 +68,7 @@ public class LineMonitor extends PushMonitor {
 
     /** As {@link #controller(Map)}, with JSON, patterns and values. */
     public final LineMonitor controller(Meanings events) {
+        pressed.addAll(events.names());
         return rule(events, event -> fromController(event.name(), event.values()));
     }
 
@@ -124,5 +126,10 @@ public class LineMonitor extends PushMonitor {
     @Override
     protected Set<String> spontaneousEvents() {
         return Set.copyOf(devicesOwn);
+    }
+
+    @Override
+    protected Set<String> controllerEvents() {
+        return Set.copyOf(pressed);
     }
 }

@@ -1,8 +1,10 @@
 package org.evoloop.line;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
@@ -14,6 +16,9 @@ import org.slf4j.LoggerFactory;
 final class Programs {
     private static final Logger LOG = LoggerFactory.getLogger(LineConnection.class);
     private static final int GRACE_SECONDS = 2;
+
+    /** Keeps the terminal's signals from a program: Ctrl-C is for this one, which ends its programs in its own order. */
+    private static final Path OWN_SESSION = Path.of("/usr/bin/setsid");
 
     private Programs() {}
 
@@ -37,6 +42,12 @@ final class Programs {
      * @throws IOException if it cannot be started; the message says how to fix it
      */
     static Process start(ProcessBuilder builder, String name) throws IOException {
+        List<String> command = builder.command();
+        if (Files.isExecutable(OWN_SESSION) && isFound(command.get(0))) {
+            List<String> alone = new ArrayList<>(List.of(OWN_SESSION.toString()));
+            alone.addAll(command);
+            builder.command(alone);
+        }
         Process process;
         try {
             process = builder.start();
@@ -48,6 +59,13 @@ final class Programs {
         }
         Threads.start("program-errors", () -> logErrors(process, name));
         return process;
+    }
+
+    private static boolean isFound(String program) {
+        String folders = program.contains("/") ? "" : System.getenv().getOrDefault("PATH", "");
+        return Stream.of(folders.split(File.pathSeparator))
+                .map(folder -> Path.of(folder).resolve(program))
+                .anyMatch(file -> Files.isRegularFile(file) && Files.isExecutable(file));
     }
 
     private static void logErrors(Process process, String name) {

@@ -138,6 +138,23 @@ class ProgramTest {
                 .withMessageContaining("names no program");
     }
 
+    /** Ctrl-C on a terminal goes to all programs of its session. */
+    @Test
+    void aProgramDoesNotGetTheSignalsOfTheTerminal() throws Exception {
+        String own = session(Files.readString(Path.of("/proc/self/stat")));
+        try (LineConnection connection = connection(shell("cat /proc/self/stat; exec cat"))) {
+            assertThat(session(next())).isNotEqualTo(own);
+        }
+        ProgramCommand command = new ProgramCommand(
+                List.of("sh", "-c", "cat /proc/self/stat > " + folder.resolve("stat")), PATIENCE, clock);
+        command.run(Values.NONE);
+        assertThat(session(Files.readString(folder.resolve("stat")))).isNotEqualTo(own);
+    }
+
+    private static String session(String stat) {
+        return stat.replaceFirst(".*[)]", "").strip().split(" ")[3];
+    }
+
     @Test
     void aMissingProgramIsNamed() {
         try (LineConnection connection = connection(LineTransport.program(List.of("/no/such/kettle", "on")))) {

@@ -46,6 +46,9 @@ class LearnCommandTest {
     private final CountDownLatch dimmed = new CountDownLatch(1);
     private volatile String state = "Off";
 
+    /** What it waits for before each of its answers, for a time. */
+    private volatile CountDownLatch slow = new CountDownLatch(0);
+
     @BeforeEach
     void serve() throws IOException {
         server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
@@ -68,10 +71,11 @@ class LearnCommandTest {
                     PrintWriter answers = new PrintWriter(socket.getOutputStream(), true, StandardCharsets.UTF_8)) {
                 for (String line = in.readLine(); line != null; line = in.readLine()) {
                     received.add(line);
+                    slow.await(50, TimeUnit.MILLISECONDS);
                     answers.print(answer(line) + "\n");
                     answers.flush();
                 }
-            } catch (IOException closed) {
+            } catch (IOException | InterruptedException closed) {
                 // The next connection, if there is one.
             }
         }
@@ -98,7 +102,10 @@ class LearnCommandTest {
     }
 
     private int learn(String rules, String... options) throws IOException {
-        Path file = described(rules);
+        return learn(described(rules), options);
+    }
+
+    private int learn(Path file, String... options) {
         CommandLine command = Main.learning();
         command.setOut(new PrintWriter(out, true));
         command.setErr(new PrintWriter(err, true));
@@ -109,29 +116,37 @@ class LearnCommandTest {
     }
 
     private Path described(String rules) throws IOException {
+        return described("{lines: \"tcp://127.0.0.1:" + server.getLocalPort() + "\"}", rules);
+    }
+
+    private Path described(String connection, String rules) throws IOException {
         Path file = folder.resolve("dimmer.yaml");
         Files.writeString(file, """
                 converter: dimmer
-                connections: {dimmer: {lines: "tcp://127.0.0.1:%d"}}
+                connections: {dimmer: %s}
                 device:
                   send: {power: PWR, dim: DIM, clear: CLR}
                   answer: {ok: OK, error: ERR, within: 5 s}
                   ask: {line: STATE?, within: 5 s}
                   state: {is Off: "Off", is Bright: Bright, is Dim: Dim}
                 learn: {home: "Off", reset: power, settle: 5 ms%s}
-                """.formatted(server.getLocalPort(), rules));
+                """.formatted(connection, rules));
         return file;
     }
 
     /** Learns in a process of its own, with a journal. */
     private Process learning(Path model) throws IOException {
+        return learning(described(""), model);
+    }
+
+    private Process learning(Path file, Path model) throws IOException {
         return new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                         "-cp",
                         System.getProperty("surefire.test.class.path", System.getProperty("java.class.path")),
                         Main.class.getName(),
                         "learn",
-                        described("").toString(),
+                        file.toString(),
                         "--output=" + model,
                         "--longest=20 ms",
                         "--journal=" + folder.resolve("answers"))
@@ -149,6 +164,55 @@ class LearnCommandTest {
 
         assertThat(process.waitFor(1, TimeUnit.MINUTES)).isTrue();
         assertThat(state).isEqualTo("Off");
+    }
+
+    /** The program is the device: it lives until that is at home, and nobody begins another. */
+    @Test
+    void aProgramThatIsToldToEndLivesUntilItIsAtHome() throws Exception {
+        Path log = Files.createFile(folder.resolve("program.log"));
+        Files.writeString(folder.resolve("program.sh"), """
+                at=Off
+                echo begins >>%1$s
+                while read line; do
+                    case $line-$at in
+                    STATE*) echo "is $at"; continue ;;
+                    PWR-Off) at=Bright ;;
+                    PWR-*) at=Off ;;
+                    DIM-Bright) at=Dim ;;
+                    DIM-Dim) at=Bright ;;
+                    *) echo ERR; continue ;;
+                    esac
+                    echo OK
+                    echo $at >>%1$s
+                done
+                """.formatted(log));
+        String connection = "{program: [sh, " + folder.resolve("program.sh") + "]}";
+        Process process = learning(described(connection, ""), folder.resolve("dimmer.mmd"));
+        await().atMost(Duration.ofMinutes(1))
+                .until(() -> Files.readAllLines(log).contains("Dim"));
+
+        process.destroy();
+
+        assertThat(process.waitFor(1, TimeUnit.MINUTES)).isTrue();
+        assertThat(Files.readAllLines(log)).containsOnlyOnce("begins").endsWith("Off");
+        assertThat(Files.readString(folder.resolve("printed.txt"))).contains("open: it was stopped");
+        assertThat(process.exitValue()).isEqualTo(1);
+    }
+
+    @Test
+    void theControllerNeedNotBeThere() throws IOException {
+        Path file = described("");
+        Files.writeString(
+                file,
+                Files.readString(file)
+                        .replace("connections: {", "connections: {remote: {mqtt: \"mqtt://127.0.0.1:1\"}, ")
+                        .replaceAll("(power|dim|clear): (PWR|DIM|CLR)", "$1: {to: dimmer, line: $2}")
+                        .replace("state: {", "state: {from: dimmer, values: {")
+                        .replace("is Dim: Dim}", "is Dim: Dim}}")
+                        .replace(
+                                "learn:", "controller: {press: {from: remote, topic: a, values: {b: power}}}\nlearn:"));
+        assertThat(learn(file, "--output=" + folder.resolve("dimmer.mmd"), "--longest=50 ms"))
+                .isZero();
     }
 
     private void killed(int times, long seed) throws Exception {
@@ -192,13 +256,16 @@ class LearnCommandTest {
         }
     }
 
-    /** The page is asked while the device answers, so that something is known, but not all. */
+    /** The device takes its time until the page has shown something, so that something is known, but not all. */
     @Test
     void thePageShowsWhatIsKnownSoFar() throws Exception {
         int port = freePort();
+        CountDownLatch shown = new CountDownLatch(1);
+        slow = shown;
         CompletableFuture<String> seen = CompletableFuture.supplyAsync(() -> await().pollInterval(Duration.ofMillis(20))
-                .atMost(Duration.ofMinutes(1))
-                .until(() -> picture(port), text -> text.contains("<svg")));
+                        .atMost(Duration.ofMinutes(1))
+                        .until(() -> picture(port), text -> text.contains("<svg")))
+                .whenComplete((text, failed) -> shown.countDown());
 
         int status = learn("", "--output=" + folder.resolve("dimmer.mmd"), "--longest=50 ms", "--page=" + port);
 

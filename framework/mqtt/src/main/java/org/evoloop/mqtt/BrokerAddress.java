@@ -198,12 +198,13 @@ public final class BrokerAddress {
     }
 
     /** The name at the broker of the converter with this name: from the address, else the same. */
-    String id(String converter) {
+    public String id(String converter) {
         String id = parameters.get("id");
         return id == null ? converter.replaceAll("[^A-Za-z0-9_-]", "_") : id;
     }
 
-    String discovery() {
+    /** The prefix of the topics where Home Assistant looks for devices. */
+    public String discovery() {
         return parameters.getOrDefault("discovery", "homeassistant");
     }
 

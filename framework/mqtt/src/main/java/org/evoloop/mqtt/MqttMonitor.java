@@ -42,6 +42,7 @@ public class MqttMonitor extends PushMonitor {
     private final BrokerConnection connection;
     private final ReportRules rules;
     private final Set<String> devicesOwn = new LinkedHashSet<>();
+    private final Set<String> pressed = new LinkedHashSet<>();
     private @Nullable Fence fence;
     private @Nullable Inference inference;
     private @Nullable String outcomes;
@@ -79,6 +80,7 @@ public class MqttMonitor extends PushMonitor {
 
     /** As {@link #controller(String, Map)}, with JSON, patterns and values. */
     public final MqttMonitor controller(String topic, Meanings events) {
+        pressed.addAll(events.names());
         rules.add(topic, events, ReportRules.Use.EVENT, event -> {
             if (fence == null || fence.isPassed()) {
                 hear(event.name(), event.values());
@@ -188,5 +190,10 @@ public class MqttMonitor extends PushMonitor {
     @Override
     protected Set<String> spontaneousEvents() {
         return Set.copyOf(devicesOwn);
+    }
+
+    @Override
+    protected Set<String> controllerEvents() {
+        return Set.copyOf(pressed);
     }
 }

@@ -6,12 +6,22 @@ import org.evoloop.evolution.EventOutcome;
 import org.evoloop.evolution.Values;
 import org.evoloop.payload.JsonObject;
 
-/** Tells by MQTT what became of a press. */
-final class Told {
+/**
+ * Tells by MQTT what became of a press.
+ *
+ * <p>Threading: any thread may call it.
+ *
+ * @since 0.1
+ */
+public final class Told {
     private Told() {}
 
-    /** Submits {@code event}, and publishes its outcome on {@code topic} when it is known. */
-    static CompletableFuture<EventOutcome> submit(
+    /**
+     * Submits {@code event}, and publishes its outcome on {@code topic} when it is known.
+     *
+     * @return completes with the outcome, also where the converter does not take the event
+     */
+    public static CompletableFuture<EventOutcome> submit(
             PushMonitor controller, String event, Values values, BrokerConnection connection, String topic) {
         CompletableFuture<EventOutcome> submitted;
         try {

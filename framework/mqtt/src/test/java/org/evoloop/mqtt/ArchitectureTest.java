@@ -21,8 +21,8 @@ class ArchitectureTest {
     @ArchTest
     static final ArchRule theConnectionKnowsNothingOfHomeAssistant = noClasses()
             .that()
-            .haveNameNotMatching(".*\\.(Home.*|Choice)(\\$.*)?")
+            .resideOutsideOfPackage("org.evoloop.mqtt.home")
             .should()
             .dependOnClassesThat()
-            .haveSimpleNameStartingWith("Home");
+            .resideInAPackage("org.evoloop.mqtt.home");
 }

@@ -18,16 +18,16 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.ManualClock;
 
 /** The light bulb's converter, with a link that can be interrupted. */
-final class Lamp implements DeviceLink, AutoCloseable {
-    final PushMonitor wallSwitch = new PushMonitor("WallSwitch");
-    final ManualClock clock = new ManualClock();
-    final SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
-    final RecordingExecute bulb = new RecordingExecute("Bulb", "switch");
-    volatile boolean up = true;
-    volatile long battery = 93;
-    volatile String mood = "it's fine";
+public final class Lamp implements DeviceLink, AutoCloseable {
+    public final PushMonitor wallSwitch = new PushMonitor("WallSwitch");
+    public final ManualClock clock = new ManualClock();
+    public final SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
+    public final RecordingExecute bulb = new RecordingExecute("Bulb", "switch");
+    public volatile boolean up = true;
+    public volatile long battery = 93;
+    public volatile String mood = "it's fine";
 
-    Lamp() {
+    public Lamp() {
         converter.addMonitor(wallSwitch);
         converter.addExecute(bulb);
         converter.addKnowledge(knowledge(PaperModels.lightBulb()));
@@ -45,14 +45,14 @@ final class Lamp implements DeviceLink, AutoCloseable {
     }
 
     /** The new model, or one in which the lamp goes off at once. */
-    StateMachine model(String reference) {
+    public StateMachine model(String reference) {
         return reference.endsWith("#new")
                 ? PaperModels.lightBulb().evolved()
                 : Machines.machine("plain", "off switch -> on", "on switch -> off");
     }
 
     /** Starts a shadow whose lamp goes off at once. */
-    void shadow() {
+    public void shadow() {
         ModelPair running = converter.knowledge().models();
         StateMachine plain = model("lamp.xml#plain");
         converter.shadow(Evolution.to(converter.knowledgeOf(new ModelPair(running.original(), plain)))

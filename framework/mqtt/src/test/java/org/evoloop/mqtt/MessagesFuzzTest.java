@@ -16,6 +16,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import org.evoloop.mqtt.home.Choice;
+import org.evoloop.mqtt.home.HomeAssistant;
+import org.evoloop.mqtt.home.HomeEntity;
+import org.evoloop.mqtt.home.HomeKind;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.provider.MethodSource;
 

@@ -36,6 +36,11 @@ public final class Rest {
         }
     }
 
+    /** Whether it has rested. */
+    public boolean isOver() {
+        return leftNanos() <= 0;
+    }
+
     private synchronized long leftNanos() {
         return used ? readyNanos - clock.nanoTime() : 0;
     }

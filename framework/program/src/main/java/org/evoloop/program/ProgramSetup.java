@@ -20,8 +20,9 @@ import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.journal.Journal;
 import org.evoloop.loop.LoopConfig;
-import org.evoloop.mqtt.HomeAssistant;
 import org.evoloop.mqtt.MqttOptions;
+import org.evoloop.mqtt.home.HomeAssistant;
+import org.evoloop.page.ModelPicture;
 import org.evoloop.page.Page;
 import org.evoloop.page.PageOptions;
 import org.evoloop.page.Picture;
@@ -219,7 +220,7 @@ public final class ProgramSetup {
         }
         Page.open(PageOptions.of(settings), console, System.err, pictures);
         MqttOptions.broker(settings).ifPresent(broker -> {
-            HomeAssistant shown = new HomeAssistant(console, broker);
+            HomeAssistant shown = new HomeAssistant(console, broker).pictures(ModelPicture::of);
             home.accept(shown);
             shown.open();
             console.onEnd(reason -> shown.close());

@@ -39,4 +39,7 @@ public interface MonitorAccess {
 
     /** Those that the device takes by itself. */
     Set<Event> spontaneousEvents();
+
+    /** Those that a controller raises through it. */
+    Set<Event> controllerEvents();
 }

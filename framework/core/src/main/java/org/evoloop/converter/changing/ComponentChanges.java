@@ -29,7 +29,7 @@ final class ComponentChanges {
         if (built != null) {
             DecisionTable table = changed.decisions(built.knowledge());
             taking(component, () -> built.join(component));
-            built.use(table, changed.executes());
+            built.use(table, changed);
         }
         present = changed;
     }
@@ -39,7 +39,7 @@ final class ComponentChanges {
         DecisionTable table = changed.has(Component.Role.EXECUTE)
                 ? changed.decisions(built.knowledge())
                 : built.driver().rules().table();
-        built.loop().remove(name, () -> built.use(table, changed.executes()));
+        built.loop().remove(name, () -> built.use(table, changed));
         ownership.giveBack(present.require(name));
         present = changed;
     }
@@ -50,7 +50,7 @@ final class ComponentChanges {
         DecisionTable table = changed.decisions(built.knowledge());
         taking(next, () -> {
             built.attach(next);
-            built.loop().exchange(name, next, () -> built.use(table, changed.executes()));
+            built.loop().exchange(name, next, () -> built.use(table, changed));
         });
         ownership.giveBack(present.require(name));
         present = changed;

@@ -109,7 +109,7 @@ final class Construction {
     ConverterShell build(StateKnowledge known, boolean evolved, Function<DecisionTable, ConverterShell> shell) {
         DecisionTable table = assembly.compile(known, !evolved);
         ConverterShell built = shell.apply(table);
-        built.use(table, assembly.executes());
+        built.use(table, assembly);
         for (Component component : assembly.all()) {
             built.join(component);
         }

@@ -23,7 +23,6 @@ import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.converter.recording.FailureLog;
 import org.evoloop.converter.recording.Listeners;
-import org.evoloop.converter.running.ControllerEvents;
 import org.evoloop.converter.running.ConverterShell;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
@@ -350,7 +349,7 @@ final class Converter implements ConverterDelegate {
 
     @Override
     public Set<Event> controllerEvents() {
-        return ControllerEvents.of(knowledge(), sendableEvents());
+        return built().controllerEvents();
     }
 
     @Override

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.EventMonitor;
 import org.evoloop.converter.StateKnowledge;
@@ -86,6 +87,13 @@ public final class Assembly {
 
     private <T extends Component> List<T> all(Class<T> kind) {
         return all().stream().filter(kind::isInstance).map(kind::cast).toList();
+    }
+
+    /** The events that controllers raise, as the monitors say. */
+    Set<Event> reportedOfControllers() {
+        return monitors().stream()
+                .flatMap(monitor -> Friends.MONITOR.of(monitor).controllerEvents().stream())
+                .collect(Collectors.toUnmodifiableSet());
     }
 
     public boolean has(Component.Role role) {

@@ -76,6 +76,9 @@ public final class ConverterShell implements LoopListener<Occurrence> {
     private final PlanExecutor executor;
     private final Hooks hooks;
 
+    /** What monitors say that controllers raise. */
+    private volatile Set<Event> reported = Set.of();
+
     /** Whether it was opened and has not released the device since. */
     private volatile boolean holdsDevice;
 
@@ -138,9 +141,14 @@ public final class ConverterShell implements LoopListener<Occurrence> {
         return senders.sendable();
     }
 
+    /** The events that a controller may raise. */
+    public Set<Event> controllerEvents() {
+        return ControllerEvents.of(knowledge(), sendable(), reported);
+    }
+
     /** What can happen next. */
     public Prospect prospect() {
-        return driver.prospects(knowledge(), sendable()).compute();
+        return driver.prospects(knowledge(), controllerEvents()).compute();
     }
 
     /** Its present knowledge. */
@@ -239,9 +247,10 @@ public final class ConverterShell implements LoopListener<Occurrence> {
     }
 
     /** From the next event on, decides by {@code table}. */
-    public void use(DecisionTable table, List<EventExecute> present) {
+    public void use(DecisionTable table, Assembly present) {
         driver.use(table);
-        senders.use(present);
+        senders.use(present.executes());
+        reported = present.reportedOfControllers();
     }
 
     /** Opens the loop, after every execute component has prepared the device for the current state. */

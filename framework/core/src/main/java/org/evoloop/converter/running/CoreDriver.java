@@ -324,8 +324,8 @@ public final class CoreDriver implements DecisionHost {
     }
 
     /** What a prospect begins with; the rest is computed outside the lock, for which events would have to wait. */
-    synchronized Prospects prospects(StateKnowledge knowledge, Set<Event> sendable) {
-        return new Prospects(rules.table(), core.at(), core.doubtfulStep(), knowledge, sendable);
+    synchronized Prospects prospects(StateKnowledge knowledge, Set<Event> ofControllers) {
+        return new Prospects(rules.table(), core.at(), core.doubtfulStep(), knowledge, ofControllers);
     }
 
     /** When the timers that run are due. */

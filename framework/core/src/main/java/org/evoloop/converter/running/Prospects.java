@@ -23,9 +23,14 @@ import org.jspecify.annotations.Nullable;
  * What can happen next, for those who look at a converter; nothing of it is computed for an event.
  *
  * @param doubtful the step in doubt; null if it is about none
+ * @param ofControllers see {@link ControllerEvents}
  */
 record Prospects(
-        DecisionTable table, Configuration at, @Nullable Step doubtful, StateKnowledge knowledge, Set<Event> sendable) {
+        DecisionTable table,
+        Configuration at,
+        @Nullable Step doubtful,
+        StateKnowledge knowledge,
+        Set<Event> ofControllers) {
 
     Prospect compute() {
         return new Prospect(at, events(), Optional.ofNullable(doubtful));
@@ -33,7 +38,6 @@ record Prospects(
 
     private List<Prospect.Next> events() {
         Map<Event, Duration> timers = Friends.KNOWLEDGE.of(knowledge).timersOf(at.evolved());
-        Set<Event> ofControllers = ControllerEvents.of(knowledge, sendable);
         Map<Event, List<Decision>> coming = new LinkedHashMap<>();
         ofControllers.forEach(event -> coming.put(event, new ArrayList<>()));
         for (Turn turn : table.expected(at)) {

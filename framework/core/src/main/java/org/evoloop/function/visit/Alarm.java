@@ -41,6 +41,6 @@ final class Alarm {
         if (due.isEmpty() || again) {
             wait(again);
         }
-        due.forEach(Runnable::run);
+        due.forEach(each -> each.what().run());
     }
 }

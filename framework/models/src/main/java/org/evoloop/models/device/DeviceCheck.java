@@ -12,7 +12,7 @@ import org.evoloop.device.DeviceFile;
 import org.evoloop.device.DeviceProgram;
 import org.evoloop.device.HomeSection;
 import org.evoloop.device.Scenario;
-import org.evoloop.mqtt.HomeTable;
+import org.evoloop.mqtt.home.HomeTable;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.testkit.ConverterHarness;
@@ -70,7 +70,7 @@ final class DeviceCheck {
             out.println("  finding: " + path + ":" + entity.line() + ": " + entity.name() + ", " + row);
         }
         if (!wrong.isEmpty()) {
-            out.println("  fix: allow it there with never-in, or let it through with may-pass");
+            out.println("  fix: refuse it there with never-in, or let it pass with may-pass");
         }
         return wrong.isEmpty();
     }
@@ -83,6 +83,7 @@ final class DeviceCheck {
     private static Optional<Set<Event>> controllerEvents(DeviceFile file, PrintStream out) {
         try (ConverterHarness converter = ConverterHarness.of(file.knowledge(file.models()))
                 .with(file.simulated())
+                .with(file.controller("Controls"))
                 .start()) {
             return Optional.of(converter.converter().controllerEvents());
         } catch (ModelException unfit) {

@@ -22,7 +22,7 @@ abstract class WrittenConnection {
     }
 
     /** Null, and noted as a mistake, for a kind that has no counterpart here. */
-    static @Nullable WrittenConnection of(Node.Text name, String field, Section section) {
+    static @Nullable WrittenConnection of(Node.Text name, String field, Section section, String converter) {
         if (section.has("mqtt")) {
             return new WrittenMqtt(name.value(), field, section);
         } else if (section.has("http")) {
@@ -33,12 +33,14 @@ abstract class WrittenConnection {
             return new WrittenWebhooks(name.value(), field, section);
         } else if (section.has("gpio")) {
             return new WrittenPins(name.value(), field, section);
+        } else if (section.has("home-assistant")) {
+            return new WrittenHome(name.value(), field, section, converter);
         }
         section.problems()
                 .at(
                         name,
                         "connection " + name + " is of a kind that --from does not turn into Java, which are lines,"
-                                + " program, mqtt, http, webhooks and gpio; keep this file, or leave the connection out"
+                                + " program, mqtt, http, webhooks, gpio and home-assistant; keep this file, or leave the connection out"
                                 + " and add it in Java");
         return null;
     }

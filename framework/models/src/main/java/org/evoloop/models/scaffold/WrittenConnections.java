@@ -37,9 +37,10 @@ final class WrittenConnections {
     WrittenConnections(Section file) {
         List.of("clock", "links", "openings", "closings", "connected", "converter")
                 .forEach(names::reserve);
+        String converter = file.text("converter").map(Node.Text::value).orElse("");
         file.named("connections").forEach((name, section) -> {
             String field = names.free(JavaNames.small(JavaNames.camel(name.value(), "Connection")) + "Link");
-            WrittenConnection written = WrittenConnection.of(name, field, section);
+            WrittenConnection written = WrittenConnection.of(name, field, section, converter);
             if (written != null) {
                 byName.put(name.value(), written);
                 artifacts.addAll(written.artifacts());

@@ -137,6 +137,19 @@ class DeviceCommandsTest {
     }
 
     @Test
+    void theFrontPageShowsTheLightBulbsFileAndModels() throws IOException {
+        Path root = Path.of(System.getProperty("evoloop.home"));
+        String page = Files.readString(root.resolve("README.md"));
+        Matcher block = Pattern.compile("```yaml\\n(.*?)```", Pattern.DOTALL).matcher(page);
+        assertThat(block.find()).isTrue();
+        assertThat(root.resolve("devices/light-bulb/light-bulb.yaml")).content().contains(block.group(1));
+        Files.writeString(folder.resolve("README.md"), page);
+        Path file = Files.writeString(folder.resolve("lamp.yaml"), block.group(1));
+        assertThat(run("check", file.toString())).as(errors() + printed()).isZero();
+        assertThat(printed()).contains("passed: switched twice").doesNotContain("FAILED");
+    }
+
+    @Test
     void itsPropertiesAreCheckedWithTheModels() throws IOException {
         Path heater = folder.resolve("heater");
         run("new", heater.toString());

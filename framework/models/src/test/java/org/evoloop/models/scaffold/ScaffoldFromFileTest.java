@@ -144,7 +144,8 @@ class ScaffoldFromFileTest {
         "washing-machine, 4",
         "wifi-roomba, 4",
         "air-conditioner, 3",
-        "octoprint, 3"
+        "octoprint, 3",
+        "home-assistant-lamp, 4"
     })
     void aDevicesScenariosPassInJava(String device, int tests) throws Exception {
         Path project = project(DEVICES.resolve(device).resolve(device + ".yaml"));
@@ -197,6 +198,49 @@ class ScaffoldFromFileTest {
                     .contains("evoloop-gpio<", "evoloop-http<", "evoloop-line<", "evoloop-payload<");
             Files.move(project, directory.resolve("project with " + party));
         }
+    }
+
+    @Test
+    void entitiesOfHomeAssistantCompileAndPass() throws Exception {
+        Files.writeString(directory.resolve("token"), "secret");
+        Path project = project(lamp("""
+                converter: lamp
+                models: {original: lamp.md#original, new: lamp.md#new}
+                connections:
+                  home: {home-assistant: "http://127.0.0.1:8123", token-file: token, entity: light.lamp}
+                  house: {home-assistant: "https://127.0.0.1?sha256=FINGERPRINT"}
+                device:
+                  send: {switch: {to: home, service: light.toggle, data: {transition: 0.5, effect: "1", flash: "${flash}"}}}
+                  state:
+                    - {from: home, values: {"off": "Off"}}
+                    - {from: home, attribute: brightness, ranges: {On: 1..}, infer-events: true}
+                  does: {from: home, entity: event.lamp, attribute: event_type, values: {burnt: burns out}}
+                  readings: {power: {from: house, entity: sensor.power, unit: W}}
+                  confirmed: {within: 3 s}
+                  ask: {within: 4 s}
+                  ready-after: 100 ms
+                controller:
+                  press:
+                    - {from: home, entity: input_button.lamp, event: switch}
+                    - {from: house, event-type: zha_event, json: /command, values: {hold: party}}
+                    - {from: house, trigger: {trigger: state, entity_id: [sun.sun]}, event: party}
+                functions:
+                  Party: {steps: [{to: house, service: notify.notify, data: {message: it begins}}, {finish: over}]}
+                guards: {evening: {between: ["00:00", "23:59"]}, warm: {value: t, below: 3}}
+                effects: {chime: {to: house, service: script.chime}}
+                scenarios:
+                  it is lit: [{press: switch, sent: [switch], state: "On"}]
+                """.replace("FINGERPRINT", "AB".repeat(32))));
+
+        ScaffoldTest.assertAllPassed(ScaffoldTest.run(ScaffoldTest.compile(project), "ScenariosTest"), 2);
+        assertThat(project.resolve("pom.xml")).content().contains("evoloop-home-assistant<");
+        assertThat(project.resolve("src/main/java/" + JAVA_PACKAGE.replace('.', '/') + "/Connections.java"))
+                .content()
+                .contains(
+                        "Secret.read(Path.of(\"" + directory.resolve("token"),
+                        "EVOLOOP_HOME_ASSISTANT_TOKEN",
+                        "{\\\"transition\\\":0.5,\\\"effect\\\":\\\"1\\\",\\\"flash\\\":\\\"${flash}\\\"}",
+                        ".require(new ServiceCall(\"script.chime\", null, \"{}\"))");
     }
 
     /** The program takes a press from the device's remote control, sends two lines, and waits for the answer to each. */

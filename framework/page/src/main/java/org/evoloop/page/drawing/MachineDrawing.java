@@ -62,22 +62,50 @@ public final class MachineDrawing {
         return Sketch.of(machine, false).hasComposites() ? of(machine, Sketch.of(machine, true), added) : "";
     }
 
+    /**
+     * Draws the new model of a pair or, if that would be wider, only the transitions that the original one has not.
+     *
+     * @return empty if it is too large all the same
+     */
+    public static String ofNew(ModelPair models, int widest) {
+        StateMachine machine = models.evolved();
+        Sketch all = Sketch.of(machine, false);
+        if (isTooLarge(all)) {
+            return "";
+        }
+        MachineDrawing whole = new MachineDrawing(machine, all, models::isNew);
+        Sketch more = all.without(Sketch.of(models.original(), false));
+        return whole.width() <= widest || more.arrows().isEmpty()
+                ? whole.draw()
+                : new MachineDrawing(machine, more, models::isNew).draw();
+    }
+
     /** The outermost composite state in which {@code state} is drawn; empty if there is none. */
     public static String outer(StateMachine machine, State state) {
         return Sketch.outer(machine, state);
     }
 
     private static String of(StateMachine machine, Sketch sketch, Predicate<State> added) {
-        boolean tooLarge = Math.max(sketch.arrows().size(), sketch.outer().size()) > MOST_TRANSITIONS;
-        return tooLarge ? "" : new MachineDrawing(machine, sketch, added).draw();
+        return isTooLarge(sketch) ? "" : new MachineDrawing(machine, sketch, added).draw();
+    }
+
+    private static boolean isTooLarge(Sketch sketch) {
+        return Math.max(sketch.arrows().size(), sketch.outer().size()) > MOST_TRANSITIONS;
+    }
+
+    private double width() {
+        return graph.rows.stream()
+                .flatMap(List::stream)
+                .mapToDouble(box -> box.x + box.width / 2 + PADDING + MARGIN)
+                .max()
+                .orElse(0);
     }
 
     private String draw() {
-        double width = 0;
+        double width = width();
         double height = 0;
         for (List<Box> row : graph.rows) {
             for (Box box : row) {
-                width = Math.max(width, box.x + box.width / 2 + PADDING + MARGIN);
                 height = Math.max(height, box.y + box.height / 2 + PADDING + MARGIN);
             }
         }

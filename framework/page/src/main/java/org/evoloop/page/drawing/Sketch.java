@@ -43,6 +43,19 @@ record Sketch(State initial, Map<State, String> outer, Set<Line> arrows) {
         return new Sketch(drawn.getOrDefault(machine.initial(), machine.initial()), outer, arrows);
     }
 
+    /** The arrows that {@code before} has not, with their states and the initial one. */
+    Sketch without(Sketch before) {
+        Set<Line> more = new LinkedHashSet<>(arrows);
+        more.removeAll(before.arrows());
+        Map<State, String> drawn = new LinkedHashMap<>(outer);
+        drawn.keySet()
+                .removeIf(state -> !state.equals(initial)
+                        && more.stream()
+                                .noneMatch(line -> line.source().equals(state)
+                                        || line.target().equals(state)));
+        return new Sketch(initial, drawn, more);
+    }
+
     /** The outermost composite state in which {@code state} is drawn; empty if it is at the top, or in no single one. */
     static String outer(StateMachine machine, State state) {
         List<String> around = new ArrayList<>();
