@@ -43,7 +43,12 @@ final class ReturnTransitions {
         StateMachineBuilder builder =
                 StateMachine.named(evolved.name()).initial(evolved.initial().name());
         for (State state : evolved.states()) {
-            builder.activities(state.name(), evolved.activities(state));
+            builder.drawn(
+                    state,
+                    evolved.withoutMemory(state),
+                    evolved.activities(state),
+                    evolved.paths(state),
+                    evolved.isEnd(state));
             builder.device(state.name(), evolved, state);
             evolved.deferred(state).forEach(event -> builder.defers(state.name(), event));
         }

@@ -149,6 +149,15 @@ class RobotModelsTest {
     }
 
     @Test
+    void whereAStateIsDrawnStaysKnown() {
+        StateMachine evolved = read(arriving().drawn(HUNT, HUNT, List.of("Move"), List.of("Evolved.Hunt"), false))
+                .pair()
+                .evolved();
+        assertThat(evolved.hasTransition(HUNT, new Event("backToOn"))).isTrue();
+        assertThat(evolved.paths(HUNT)).containsExactly("Evolved.Hunt");
+    }
+
+    @Test
     void whereTheDeviceCannotBeSentNoWayLeads() {
         StateMachine evolved =
                 read(arriving().transition("Spot", "Spot", "Hunt")).pair().evolved();

@@ -141,7 +141,7 @@ export class Drawing {
     for (const one of all('.state', this.#svg)) one.classList.toggle(tone, wanted.has(one.dataset.state));
     for (const one of all('.box', this.#mini)) one.classList.toggle(tone, wanted.has(one.dataset.of));
     for (const frame of all('.frame', this.#svg)) frame.classList.toggle('in', all('.state.now', frame.parentNode).length > 0);
-    if (tone === 'now' || tone === 'doubt') this.#keepInView(names[0]);
+    if ((tone === 'now' || tone === 'doubt') && names.length) this.#keepInView(names[0]);
   }
 
   // Marks arrows with a class, and no others: steps are {source, target, event} or {id}. With numbered, each gets its number.

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import org.awaitility.Awaitility;
 import org.evoloop.PaperModels;
+import org.evoloop.converter.HistoryEntry;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.State;
 import org.evoloop.time.ManualClock;
@@ -76,6 +77,15 @@ class LooksTest {
                 return contrast(rgb(getComputedStyle(e).fill), box ? rgb(getComputedStyle(box).fill) : card) < 4.5;
               }).map(e => e.getAttribute('class') + ': ' + e.textContent);
               return [...faint, ...drawn].join('; ');
+            })()""";
+
+    /** Whether the state in which it is stands in the middle of the window, as far as there is more on both sides. */
+    private static final String IN_VIEW = """
+            (() => {
+              const { x, width } = document.querySelector('#new svg.chart').viewBox.baseVal;
+              const whole = document.querySelector('.view:has(#new) .mini').viewBox.baseVal.width;
+              const box = document.querySelector('#new .state.now .box').getBBox();
+              return Math.abs(box.x + box.width / 2 - x - width / 2) < 2 || (x < 1 || x + width > whole - 1) && box.x >= x - 1 && box.x + box.width <= x + width + 1;
             })()""";
 
     private static final String PLACES =
@@ -172,6 +182,21 @@ class LooksTest {
         browser.evaluate("document.querySelector('[data-view=all]').click()");
         browser.await("document.querySelector('#new .state.now')");
         assertThat(browser.evaluate(CUT)).isEmpty();
+    }
+
+    @Test
+    void whereItIsStaysInView() {
+        press("Clean");
+        browser.looks(240, 900, false);
+        look();
+        browser.evaluate("document.querySelector('[data-view=all]').click()");
+        for (String event : List.of("Clean", "Clean", "Clean")) {
+            press(event);
+            List<HistoryEntry> history = shown.converter.history();
+            String now = history.get(history.size() - 1).after().evolved().name();
+            browser.await("document.querySelector('#new .state.now')?.dataset.state === '" + now + "'");
+            browser.await(IN_VIEW);
+        }
     }
 
     @ParameterizedTest

@@ -206,9 +206,14 @@ final class Folder {
                         path + " has changed on disk");
             }
             Path target = exists ? file.toRealPath() : file;
+            Set<PosixFilePermission> permissions = exists ? Files.getPosixFilePermissions(target) : USUAL;
+            // It is replaced, which its own permissions would not prevent.
+            if (!permissions.contains(PosixFilePermission.OWNER_WRITE) || (exists && !Files.isWritable(target))) {
+                throw new RequestException(
+                        RequestException.FORBIDDEN, path + " is read-only; allow its owner to write it, then save");
+            }
             Path folder = target.getParent();
             Files.createDirectories(folder);
-            Set<PosixFilePermission> permissions = exists ? Files.getPosixFilePermissions(target) : USUAL;
             Path fresh = Files.createTempFile(folder, "." + target.getFileName(), "");
             try {
                 Files.write(fresh, bytes);

@@ -2,187 +2,20 @@ package org.evoloop.models.studio;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
 import java.lang.reflect.Proxy;
-import java.net.URI;
-import java.net.http.HttpClient;
-import java.net.http.HttpRequest;
-import java.net.http.HttpRequest.BodyPublishers;
 import java.net.http.HttpResponse;
-import java.net.http.HttpResponse.BodyHandlers;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import org.evoloop.studio.Analysis;
-import org.evoloop.studio.Studio;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.json.JsonMapper;
 
 /** The studio's answers, over HTTP. */
-class StudioTest {
-    private static final JsonMapper JSON = new JsonMapper();
-    private static final String LAMP = """
-            # A lamp
-            ```mermaid
-            ---
-            title: original
-            ---
-            stateDiagram-v2
-                [*] --> off
-                off --> on : switch
-                on --> off : switch
-            ```
-            ```mermaid
-            ---
-            title: new
-            ---
-            stateDiagram-v2
-                [*] --> off
-                off --> on : switch
-                on --> wait : switch
-                wait --> off : tm(2s)
-                wait --> warm : switch
-                warm --> off : switch
-            ```
-            """;
-
-    @TempDir
-    private Path folder;
-
-    private Studio studio;
-    private final HttpClient http = HttpClient.newHttpClient();
-    private String origin = "";
-    private String cookie = "";
-
-    @BeforeEach
-    void open() throws Exception {
-        Files.writeString(folder.resolve("lamp.md"), LAMP);
-        begin(new StudioAnalysis());
-    }
-
-    private void begin(Analysis analysis) throws IOException, InterruptedException {
-        studio = Studio.open(folder, 0, null, analysis);
-        String address = studio.address().toString();
-        origin = address.replaceFirst("/#.*", "");
-        HttpResponse<String> admitted = send("POST", "/session", address.replaceFirst(".*token=", ""), origin);
-        cookie = admitted.headers().firstValue("Set-Cookie").orElseThrow().replaceFirst(";.*", "");
-    }
-
-    @AfterEach
-    void close() {
-        studio.close();
-    }
-
-    private HttpResponse<String> send(String method, String path, String body, String from)
-            throws IOException, InterruptedException {
-        HttpRequest.Builder request = HttpRequest.newBuilder(URI.create(origin + path))
-                .method(method, method.equals("GET") ? BodyPublishers.noBody() : BodyPublishers.ofString(body))
-                .header("Cookie", cookie.isEmpty() ? "none=" : cookie);
-        if (!method.equals("GET")) {
-            request.header("Origin", from);
-        }
-        return http.send(request.build(), BodyHandlers.ofString());
-    }
-
-    private JsonNode ask(int status, String method, String path, Object body) throws IOException, InterruptedException {
-        HttpResponse<String> answer = send(method, path, JSON.writeValueAsString(body), origin);
-        assertThat(answer.statusCode()).as(answer.body()).isEqualTo(status);
-        return JSON.readTree(answer.body());
-    }
-
-    private JsonNode post(String path, Object body) throws IOException, InterruptedException {
-        return ask(200, "POST", path, body);
-    }
-
-    private static Map<String, Object> pair(String... texts) {
-        return Map.of(
-                "original", Map.of("path", "lamp.md", "name", "original"),
-                "new", Map.of("path", "lamp.md", "name", "new"),
-                "texts", texts.length == 0 ? Map.of() : Map.of("lamp.md", texts[0]));
-    }
-
-    private static List<String> all(JsonNode list, String name) {
-        return list.valueStream().map(each -> each.path(name).asString("")).toList();
-    }
-
-    @Test
-    void itListsAndReadsTheFilesOfTheFolder() throws Exception {
-        Files.writeString(folder.resolve("fan.yaml"), "converter: fan\n");
-        Files.writeString(folder.resolve("notes.md"), "no model\n");
-        Files.createDirectories(folder.resolve(".hidden"));
-        Files.writeString(folder.resolve(".hidden/x.mmd"), LAMP);
-        JsonNode files = ask(200, "GET", "/api/files", "").path("files");
-        assertThat(all(files, "path")).containsExactly("fan.yaml", "lamp.md");
-        assertThat(files.path(1).path("machines").toString()).isEqualTo("[\"original\",\"new\"]");
-        assertThat(ask(200, "GET", "/api/file?path=lamp.md", "").path("text").asString())
-                .isEqualTo(LAMP);
-    }
-
-    @Test
-    void whatIsSavedReplacesOnlyWhatWasRead() throws Exception {
-        String version =
-                ask(200, "GET", "/api/file?path=lamp.md", "").path("version").asString();
-        JsonNode saved = ask(200, "PUT", "/api/file", Map.of("path", "lamp.md", "text", "mine", "version", version));
-        assertThat(folder.resolve("lamp.md")).hasContent("mine");
-        assertThat(saved.path("version").asString()).isNotEqualTo(version);
-        JsonNode conflict =
-                ask(409, "PUT", "/api/file", Map.of("path", "lamp.md", "text", "theirs", "version", version));
-        assertThat(conflict.path("text").asString()).isEqualTo("mine");
-        assertThat(conflict.path("version")).isEqualTo(saved.path("version"));
-        assertThat(folder.resolve("lamp.md")).hasContent("mine");
-        ask(200, "PUT", "/api/file", Map.of("path", "new/fan.mmd", "text", "x", "version", ""));
-        assertThat(folder.resolve("new/fan.mmd")).hasContent("x");
-        assertThat(folder.resolve("new").toFile().list()).containsExactly("fan.mmd");
-    }
-
-    @ParameterizedTest
-    @ValueSource(
-            strings = {
-                "../lamp.md",
-                "/etc/hosts.md",
-                "a/../../lamp.md",
-                "link.md",
-                "away/lamp.md",
-                ".hidden.md",
-                "passwd",
-                "",
-                "a\\..\\b.md",
-                "a\u0000.md"
-            })
-    void nothingOutsideOfTheFolderIsReadOrWritten(String path, @TempDir Path outside) throws Exception {
-        Files.writeString(outside.resolve("lamp.md"), LAMP);
-        Files.createSymbolicLink(folder.resolve("link.md"), outside.resolve("lamp.md"));
-        Files.createSymbolicLink(folder.resolve("away"), outside);
-        ask(403, "PUT", "/api/file", Map.of("path", path, "text", "x", "version", ""));
-        ask(
-                403,
-                "POST",
-                "/api/draw",
-                Map.of("pair", Map.of("original", Map.of("path", path), "new", Map.of("path", path))));
-        ask(
-                403,
-                "POST",
-                "/api/check",
-                Map.of(
-                        "pair",
-                        Map.of(
-                                "original",
-                                Map.of("path", "lamp.md"),
-                                "new",
-                                Map.of("path", "lamp.md"),
-                                "texts",
-                                Map.of(path, "x"))));
-        assertThat(outside.resolve("lamp.md")).hasContent(LAMP);
-    }
-
+class StudioTest extends StudioRequests {
     @Test
     void foreignPagesAndClientsWithoutTheTokenAreRefused() throws Exception {
         assertThat(send("POST", "/api/draw", "{}", "http://example.org").statusCode())
