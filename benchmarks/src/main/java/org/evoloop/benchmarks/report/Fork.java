@@ -15,12 +15,19 @@ import java.util.concurrent.TimeUnit;
  */
 public final class Fork {
     /** The options with which {@code ./evoloop} and the package start programs. */
-    public static final List<String> SHIPPED_OPTIONS = List.of("@"
-            + Path.of(System.getProperty("evoloop.home", ""), "framework/package/root/usr/share/evoloop/jvm.options"));
+    public static final List<String> SHIPPED_OPTIONS = shipped("jvm.options");
+
+    /** Those with which the studio is started, after the others. */
+    public static final List<String> STUDIO_OPTIONS = shipped("studio.options");
 
     private static final long LIMIT_MINUTES = 20;
 
     private final List<String> command = new ArrayList<>();
+
+    private static List<String> shipped(String file) {
+        Path share = Path.of(System.getProperty("evoloop.home", ""), "framework/package/root/usr/share/evoloop");
+        return List.of("@" + share.resolve(file));
+    }
 
     private Fork() {
         command.add(new File(System.getProperty("java.home"), "bin/java").getPath());

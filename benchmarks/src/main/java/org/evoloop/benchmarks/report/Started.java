@@ -62,11 +62,17 @@ public record Started(double seconds, double megabytes) {
 
     /** Starts a program of the project, with its archive of classes. */
     public static Process begin(Path jar, String... arguments) throws IOException {
+        return begin(jar, List.of(), arguments);
+    }
+
+    /** The same with more options of the JVM. */
+    public static Process begin(Path jar, List<String> jvmOptions, String... arguments) throws IOException {
         List<String> command = new ArrayList<>(
                 List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
         String home = System.getProperty("evoloop.home", "");
         String archive = String.valueOf(jar.getFileName()).replace(".jar", ".jsa");
         command.addAll(Fork.SHIPPED_OPTIONS);
+        command.addAll(jvmOptions);
         command.add("-XX:SharedArchiveFile=" + Path.of(home, "target", archive));
         command.add("-Xlog:cds=off");
         command.add("-Xlog:cds+dynamic=off");

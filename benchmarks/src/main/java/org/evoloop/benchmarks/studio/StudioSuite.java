@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import org.evoloop.benchmarks.report.Fork;
 import org.evoloop.benchmarks.report.Row;
 import org.evoloop.benchmarks.report.Started;
 import org.evoloop.benchmarks.report.Suite;
@@ -33,7 +34,7 @@ public final class StudioSuite implements Suite {
         try {
             Files.writeString(original, mermaid("original"));
             String home = mermaid("home");
-            studio = Started.begin(TOOL, "studio", folder.toString(), "--port", "0");
+            studio = Started.begin(TOOL, Fork.STUDIO_OPTIONS, "studio", folder.toString(), "--port", "0");
             BufferedReader printed = studio.inputReader(StandardCharsets.UTF_8);
             String address = printed.readLine();
             if (address == null) {
