@@ -112,8 +112,8 @@ public record ConsoleCommand(
                 .map(Object::toString)
                 .filter(name -> typed(List.of(name)).contains(typed))
                 .findFirst()
-                .orElseThrow(
-                        () -> new IllegalArgumentException("there is no " + typed + Names.hint(typed, typed(names))));
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "there is no '" + typed + "' here" + Names.hint(typed, typed(names))));
     }
 
     private static List<String> typed(Collection<?> names) {

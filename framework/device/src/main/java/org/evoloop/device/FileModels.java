@@ -236,10 +236,11 @@ public final class FileModels {
                     && known.whereDeviceMustBe(state).isEmpty()
                     && known.evolved().timers(state).isEmpty()
                     && !isNamed(state, known, withFunction)) {
+                String meant = Names.meant(state.name(), names(known.original().states()));
                 problems.at(
                         place,
-                        "new state '" + state
-                                + "' has no function; add it under functions, with {} if nothing has to run");
+                        "new state '" + state + "' has no function" + meant + (meant.isEmpty() ? "; " : " Else ")
+                                + "add it under functions, with {} if nothing has to run");
             }
         }
     }

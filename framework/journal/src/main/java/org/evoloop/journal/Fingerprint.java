@@ -36,13 +36,21 @@ final class Fingerprint {
      */
     static void requireSame(Path file, Head head, String fingerprint, ModelPair models) {
         if (!head.fingerprint().equals(fingerprint)) {
+            boolean changed = head.models()
+                            .original()
+                            .name()
+                            .equals(models.original().name())
+                    && head.models().evolved().name().equals(models.evolved().name());
             throw new JournalException(
                     file + ", byte " + Preamble.BYTES + ", record 0: the journal is of other models: '"
                             + head.models().original().name() + "' and '"
                             + head.models().evolved().name() + "', fingerprint " + head.fingerprint()
                             + ", not '" + models.original().name() + "' and '"
                             + models.evolved().name() + "', fingerprint " + fingerprint
-                            + "; start with the models that it was written with, or use another directory");
+                            + (changed
+                                    ? "; a model has changed since: start with it as it was, or use another directory; while a"
+                                            + " converter runs, evolve and reload change models"
+                                    : "; start with the models that it was written with, or use another directory"));
         }
     }
 

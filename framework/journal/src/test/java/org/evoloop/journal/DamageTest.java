@@ -227,6 +227,14 @@ class DamageTest {
                 .hasMessageEndingWith("start with the models that it was written with, or use another directory");
     }
 
+    @Test
+    void aModelThatHasChangedUnderItsNameIsSaidToHaveChanged() {
+        assertThatThrownBy(
+                        () -> JournaledCore.recovered(Robot.rules(Robot.models("original", "Spot"), 8), journal, clock))
+                .hasMessageContaining("not 'original' and 'new'")
+                .hasMessageContaining("a model has changed since");
+    }
+
     /** What a start would refuse is found without it, and nothing is changed. */
     @Test
     void whatAStartWouldRefuseIsFoundBefore() throws Exception {

@@ -52,8 +52,17 @@ public final class ConverterDevice implements LearnedDevice {
     private String pressed = "";
 
     private String shown = "";
-    /** When it was first heard that the device is as it is. */
+    /** The state that the device has told last. */
+    private String told = "";
+    /** Since when the device is as it is. */
     private long since;
+
+    /** Whether that is known by what was sent or heard, so that the next look need not guess it. */
+    private boolean dated;
+
+    private boolean looking;
+    /** When the last look ended. */
+    private long looked;
 
     private int sent;
 
@@ -92,6 +101,7 @@ public final class ConverterDevice implements LearnedDevice {
         this.resets = List.copyOf(resets);
         this.settle = settle;
         this.clock = converter.clock();
+        this.looked = clock.nanoTime();
         converter.addListener(new ConverterListener() {
             private boolean unknown;
 
@@ -180,7 +190,7 @@ public final class ConverterDevice implements LearnedDevice {
             // The device stays as it is, and its timers run on.
             return Reply.REFUSED;
         }
-        since = clock.nanoTime();
+        since(clock.nanoTime());
         if (outcome.isHandled()) {
             return Reply.ACCEPTED;
         }
@@ -237,13 +247,31 @@ public final class ConverterDevice implements LearnedDevice {
 
     /** Lets the converter ask the device where it is. */
     private void look() throws InterruptedException {
-        submit(LookExecute.LOOK);
-        submit(LookExecute.SEEN);
-        String now = converter.status().states().original().name();
-        if (!now.equals(shown)) {
-            shown = now;
-            since = clock.nanoTime();
+        hear();
+        looking = true;
+        try {
+            submit(LookExecute.LOOK);
+            submit(LookExecute.SEEN);
+        } finally {
+            looking = false;
         }
+        long now = clock.nanoTime();
+        String state = converter.status().states().original().name();
+        if (!state.equals(shown)) {
+            if (!dated) {
+                // It has changed between two looks; nobody knows when.
+                since = looked + (now - looked) / 2;
+            }
+            shown = state;
+        }
+        told = state;
+        dated = false;
+        looked = now;
+    }
+
+    private void since(long nanos) {
+        since = nanos;
+        dated = true;
     }
 
     /** What the device did by itself since this was called last. */
@@ -263,19 +291,30 @@ public final class ConverterDevice implements LearnedDevice {
     /** Takes in what has ended. */
     private void hear() {
         for (News next = news.poll(); next != null; next = news.poll()) {
+            if (next.entry().occurrence() instanceof Occurrence.Found found) {
+                told(found);
+            }
             if (!(next.entry().occurrence() instanceof Occurrence.Heard heard)) {
                 continue;
             }
             String event = heard.event().name();
             if (heard.source() == Source.DEVICE) {
                 done.add(event);
-                since = next.nanos();
+                since(next.nanos());
             } else if (heard.source() == Source.CONTROLLER && own.remove(event)) {
                 unknown = next.unknown();
             } else {
                 pressed = event;
             }
         }
+    }
+
+    private void told(Occurrence.Found found) {
+        String state = found.state().name();
+        if (!looking && !state.equals(told)) {
+            since(found.observedNanos());
+        }
+        told = state;
     }
 
     private void requireNothingHappened() {

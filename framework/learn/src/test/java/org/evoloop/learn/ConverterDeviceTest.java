@@ -130,6 +130,20 @@ class ConverterDeviceTest {
     }
 
     @Test
+    void theTimeInAStateBeginsWithThePressThatLedThere() throws InterruptedException {
+        Duration settle = Duration.ofMillis(200);
+        ConverterDevice device =
+                new ConverterDevice(converter, buttons, LearnRules.NONE, "Off", List.of("power"), settle);
+        device.reset();
+        device.press("power");
+
+        // It goes off without a word.
+        kettle.put("Off");
+
+        assertThat(device.await(Duration.ofSeconds(20)).after()).isGreaterThan(settle.dividedBy(2));
+    }
+
+    @Test
     void aPressAtItsControllerIsAPersons() throws InterruptedException {
         ConverterDevice device = device("Off", "power");
         device.reset();

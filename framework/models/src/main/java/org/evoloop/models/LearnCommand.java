@@ -202,6 +202,11 @@ final class LearnCommand implements Callable<Integer> {
     private Learned learn(DeviceFile device, LearnSettings settings, @Nullable StateMachine declared)
             throws IOException {
         LearnSection section = device.learning();
+        if (section.home().isEmpty() && section.reset().isEmpty()) {
+            throw new IllegalArgumentException(
+                    file + " does not say where each try begins, and where the device is left;"
+                            + " add it, such as learn: {home: \"Off\", reset: power}");
+        }
         PageOptions shown = page == null ? PageOptions.none() : PageOptions.at(page);
         PushMonitor buttons = new PushMonitor("Learner");
         try (Clock clock = new SystemClock();

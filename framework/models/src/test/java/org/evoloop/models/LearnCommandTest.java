@@ -367,6 +367,10 @@ class LearnCommandTest {
         assertThat(err.toString()).contains(".mmd, .scxml or .xml");
         assertThat(learn("", "--output=a.mmd", "--budget=soon")).isEqualTo(2);
         assertThat(err.toString()).contains("--budget is 'soon'");
+        Path anywhere = described("");
+        Files.writeString(anywhere, Files.readString(anywhere).replaceAll("(?m)^learn:.*\\R", ""));
+        assertThat(learn(anywhere, "--output=a.mmd")).isEqualTo(2);
+        assertThat(err.toString()).contains("does not say where each try begins");
         assertThat(learn(", never: cleer, presses-an-hour: 0", "--output=a.mmd"))
                 .isEqualTo(2);
         assertThat(err.toString()).contains("dimmer.yaml:8", "'cleer'", "clear", "'0' is no whole number");

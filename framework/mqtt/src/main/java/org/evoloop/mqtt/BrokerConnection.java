@@ -237,7 +237,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
     private void note(String why) {
         trouble = why;
         if (attempts.failed(why, System.nanoTime())) {
-            LOG.warn("{}; it is tried again until it works", why);
+            LOG.warn("{}; the connection is made anew until it works", why);
         }
     }
 

@@ -199,7 +199,7 @@ class ProgramTest {
         });
         assertThat(run(pressed, "start\npress switch\npress dim\nexit\n")).isZero();
 
-        assertThat(errors()).isEqualTo("error: there is no dim; there is switch\n");
+        assertThat(errors()).isEqualTo("error: there is no 'dim' here; there is switch\n");
     }
 
     @Test

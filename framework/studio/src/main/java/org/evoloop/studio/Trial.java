@@ -15,7 +15,6 @@ import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.evolution.Step;
 import org.evoloop.function.NewFunction;
 import org.evoloop.payload.JsonObject;
 import org.evoloop.payload.JsonRecord;
@@ -185,9 +184,9 @@ final class Trial implements AutoCloseable {
             }
         }
         for (Event event : models.original().triggers()) {
-            Step step = table.ownStep(at.original(), event, this::holds);
-            if (step != null && event.timeTrigger().isEmpty()) {
-                Decision decision = table.react(at, table.resolve(at, event, this::holds), step, true);
+            if (table.ownStep(at.original(), event, this::holds) != null
+                    && event.timeTrigger().isEmpty()) {
+                Decision decision = table.decide(at, table.resolve(at, event, this::holds), true);
                 possible.add(outlook("device", event.name(), decision));
             }
         }

@@ -197,7 +197,7 @@ final class NewCommand implements Callable<Integer> {
     private static String connections(String name, String kind, String at) {
         return switch (kind) {
             case "mqtt" -> "  device: {mqtt: \"" + at + "\", command-topic: " + name + "/set}";
-            case "http" -> "  device: {http: \"" + at + "\"}\n  buttons: {webhooks: 8090}";
+            case "http" -> "  device: {http: \"" + at + "\"}\n  buttons: {webhooks: 8088}";
             default -> "  device: {lines: \"" + at + "\"}";
         };
     }

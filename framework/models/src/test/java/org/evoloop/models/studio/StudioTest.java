@@ -234,6 +234,43 @@ class StudioTest extends StudioRequests {
     }
 
     @Test
+    void whatTheDeviceMayDoLeadsWhereTheTrialSays() throws Exception {
+        String original = """
+                stateDiagram-v2
+                    [*] --> Closed
+                    Closed --> Opening : open
+                    Opening --> Open : «spontaneous» opened
+                    Opening --> Closed : «spontaneous» blocked
+                    Open --> Closed : close
+                """;
+        String evolved = original.replace("«spontaneous» ", "") + """
+                    Closed --> Airing : air
+                    Airing : «device Opening»
+                    Airing --> Closed : blocked
+                """;
+        Map<String, Object> models = Map.of(
+                "original", Map.of("path", "a.mmd"),
+                "new", Map.of("path", "b.mmd"),
+                "texts", Map.of("a.mmd", original, "b.mmd", evolved));
+        List<Map<String, String>> run = List.of(Map.of("press", "air"));
+        JsonNode airing = post("/api/try", Map.of("pair", models, "run", run));
+        assertThat(airing.path("states").path("new").asString()).isEqualTo("Airing");
+        assertThat(all(airing.path("possible"), "device")).contains("opened", "blocked");
+        for (JsonNode next : airing.path("possible")) {
+            if (next.has("device")) {
+                List<Map<String, String>> longer =
+                        List.of(run.get(0), Map.of("device", next.path("device").asString()));
+                assertThat(post("/api/try", Map.of("pair", models, "run", longer))
+                                .path("states")
+                                .path("new")
+                                .asString())
+                        .as(next.toString())
+                        .isEqualTo(next.path("target").asString());
+            }
+        }
+    }
+
+    @Test
     void aRunIsAScenarioOfADeviceFile() throws Exception {
         List<Map<String, String>> run =
                 List.of(Map.of("press", "switch"), Map.of("press", "switch"), Map.of("after", "2 s"));
