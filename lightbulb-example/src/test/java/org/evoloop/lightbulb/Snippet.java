@@ -57,6 +57,7 @@ record Snippet(String place, String code) {
                     "org.evoloop.link.*",
                     "org.evoloop.loop.*",
                     "org.evoloop.mqtt.*",
+                    "org.evoloop.mqtt.home.*",
                     "org.evoloop.page.*",
                     "org.evoloop.payload.*",
                     "org.evoloop.program.*",

@@ -73,16 +73,26 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
      *     device state that cannot be
      */
     public void requireValid() {
+        List<Event> added = evolved.events().stream()
+                .filter(event -> !original.events().contains(event))
+                .toList();
         List<String> problems = new ArrayList<>();
         for (Violation violation : violations()) {
-            problems.add(violation.toString());
+            problems.add(violation
+                    + (violation instanceof Violation.MissingEvent missing
+                            ? Names.meant(missing.event().name(), added)
+                            : ""));
         }
         if (!deviceStates(evolved.initial()).contains(original.initial())) {
             problems.add("the new model starts in " + evolved.initial() + ", the device in " + original.initial());
         }
         if (!problems.isEmpty()) {
+            boolean swapped = new ModelPair(/* original= */ evolved, /* evolved= */ original)
+                    .violations()
+                    .isEmpty();
             throw new ModelException("the models '" + original.name() + "' and '" + evolved.name()
                     + "' are not an evolution: " + String.join("; ", problems)
+                    + (swapped ? ". The other way round they would be: are the two models swapped?" : "")
                     + ". The new model must keep every state and event of the device; names are case-sensitive");
         }
         List<DeviceStateProblem> deviceStates = deviceStateProblems();

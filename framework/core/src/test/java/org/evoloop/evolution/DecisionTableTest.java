@@ -257,4 +257,23 @@ class DecisionTableTest {
                 .hasMessageContaining("starts in On, the device in Off");
         assertThat(PaperModels.cleaningRobot().violations()).isEmpty();
     }
+
+    @Test
+    void whatIsMeantIsSaidWhereModelsAreSwappedOrAnEventIsMisspelt() {
+        ModelPair robot = PaperModels.cleaningRobot();
+        assertThatThrownBy(
+                        new ModelPair(/* original= */ robot.evolved(), /* evolved= */ robot.original())::requireValid)
+                .hasMessageContaining("are the two models swapped?");
+        StateMachine door = StateMachine.named("original")
+                .initial("Open")
+                .transition("Open", "closed", "Shut")
+                .build();
+        StateMachine misspelt = StateMachine.named("new")
+                .initial("Open")
+                .transition("Open", "closd", "Shut")
+                .build();
+        assertThatThrownBy(new ModelPair(door, misspelt)::requireValid)
+                .hasMessageContaining("event closed is missing in the new model; did you mean closd?")
+                .hasMessageNotContaining("swapped");
+    }
 }

@@ -258,8 +258,12 @@ public final class FileModels {
         }
     }
 
+    /** Their names; the timers of a model are raised by nobody. */
     private static Set<String> events(Set<Event> events) {
-        return events.stream().map(Event::name).collect(Collectors.toCollection(LinkedHashSet::new));
+        return events.stream()
+                .filter(event -> event.timeTrigger().isEmpty())
+                .map(Event::name)
+                .collect(Collectors.toCollection(LinkedHashSet::new));
     }
 
     private static List<String> names(Set<State> states) {

@@ -29,7 +29,17 @@ record Malformed(int line, String mistake) {
         int open = lastOpen(before, lines);
         return open > 0
                 ? new Malformed(open, "a bracket is not closed: " + problem + " in line " + noticed)
-                : new Malformed(noticed, problem);
+                : new Malformed(noticed, problem + "; " + remedy(problem));
+    }
+
+    private static String remedy(String problem) {
+        if (problem.contains("expected <block end>")) {
+            return "what belongs to one section begins in the same column: correct the indentation here or in the line before";
+        }
+        if (problem.contains("mapping values are not allowed")) {
+            return "quote a value that contains a colon and a blank, or put several of them into {}";
+        }
+        return "check quotes, brackets and indentation here and in the line before";
     }
 
     private static int line(Optional<Mark> mark) {

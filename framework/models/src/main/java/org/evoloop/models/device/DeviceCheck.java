@@ -32,14 +32,18 @@ final class DeviceCheck {
     static int run(Path path, PrintStream out, ToIntFunction<List<String>> models) {
         DeviceFile file = DeviceFile.read(path, DeviceProgram.options());
         DeviceProgram.options().read(List.of(), file.options(), System.getenv());
+        List<String> check = new ArrayList<>(List.of("check"));
+        check.addAll(file.references());
+        file.properties().ifPresent(properties -> check.addAll(List.of("--properties", properties.toString())));
+        // First, since it names the place in a model of what keeps a converter from being built.
+        boolean good = file.references().isEmpty() || models.applyAsInt(check) == 0;
         Set<Event> controllerEvents = controllerEvents(file, out).orElse(null);
         if (controllerEvents == null) {
             return 1;
         }
-        List<String> check = new ArrayList<>(List.of("check"));
-        check.addAll(file.references());
-        file.properties().ifPresent(properties -> check.addAll(List.of("--properties", properties.toString())));
-        boolean good = file.references().isEmpty() || models.applyAsInt(check) == 0;
+        if (file.references().isEmpty() && file.scenarios().isEmpty()) {
+            out.println("the wiring is right; there are neither models nor scenarios to check");
+        }
         for (HomeSection.Table table : file.home().tables(file.models(), controllerEvents)) {
             good &= isAsItSays(table, path, out);
         }

@@ -171,6 +171,16 @@ class DeviceCommandsTest {
                 Files.readString(readme).replace("    Timed --> Off : power\n", "    Timed --> Off : power [hot]\n"));
         assertThat(run("check", heater.resolve("heater.yaml").toString())).isEqualTo(1);
         assertThat(printed()).contains("guard [hot] of the new model is not bound");
+        assertThat(models).as("the models are checked, too").hasSize(1);
+    }
+
+    @Test
+    void aFileWithoutModelsIsSaidToHaveNothingElseToCheck() throws IOException {
+        Path file = Files.writeString(
+                folder.resolve("x.yaml"),
+                "converter: x\nconnections: {x: {lines: \"tcp://localhost:1\"}}\ndevice: {send: {power: PWR}}\n");
+        assertThat(run("check", file.toString())).as(errors()).isZero();
+        assertThat(printed()).isEqualTo("the wiring is right; there are neither models nor scenarios to check\n");
     }
 
     @Test
