@@ -20,7 +20,7 @@ class ModelTextsTest {
         "roomba.xml, roomba.md",
         "cleaning-robot-twice.scxml, cleaning-robot-twice.mmd",
         "light-bulb.xml, README.md",
-        "light-bulb.xml, ../README.md",
+        "../devices/light-bulb/README.md, ../README.md",
         "light-bulb.xml, ../docs/lightbulb.md",
         "../docs/fan/fan.uml, ../docs/retrofit.md"
     })
