@@ -148,6 +148,7 @@ class BadInputTest {
                         + "Condition 1: event timeout is missing in the new model; "
                         + "Condition 2: state Move is missing in the new model; "
                         + "Condition 2: state SpotWait is missing in the new model. "
+                        + "The other way round they would be: are the two models swapped? "
                         + "The new model must keep every state and event of the device; names are case-sensitive",
                 "--simulate",
                 "--original",

@@ -90,10 +90,11 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
             boolean swapped = new ModelPair(/* original= */ evolved, /* evolved= */ original)
                     .violations()
                     .isEmpty();
+            String all = String.join("; ", problems)
+                    + (swapped ? ". The other way round they would be: are the two models swapped?" : "");
             throw new ModelException("the models '" + original.name() + "' and '" + evolved.name()
-                    + "' are not an evolution: " + String.join("; ", problems)
-                    + (swapped ? ". The other way round they would be: are the two models swapped?" : "")
-                    + ". The new model must keep every state and event of the device; names are case-sensitive");
+                    + "' are not an evolution: " + all + (all.endsWith("?") ? " " : ". ")
+                    + "The new model must keep every state and event of the device; names are case-sensitive");
         }
         List<DeviceStateProblem> deviceStates = deviceStateProblems();
         if (!deviceStates.isEmpty()) {
