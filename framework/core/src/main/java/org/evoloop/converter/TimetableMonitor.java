@@ -157,7 +157,7 @@ public final class TimetableMonitor extends PushMonitor {
         }
         for (TimesOfDay.Due<String> due : known.due(of.wallTime())) {
             if (off || due.at().equals(skipped)) {
-                LOG.info("{} of {} is left out, as it was wished", due.what(), due.at());
+                LOG.info("{} at {} is skipped, as its owner asked", due.what(), due.at());
             } else {
                 push(fromController(due.what()));
             }

@@ -335,7 +335,7 @@ public final class HomeConnection implements DeviceLink, AutoCloseable {
     private void note(String why) {
         trouble = why;
         if (!closing && attempts.failed(why, System.nanoTime())) {
-            LOG.warn("{}; the connection is made anew until it works", why);
+            LOG.warn("{}; trying to connect again", why);
         }
     }
 

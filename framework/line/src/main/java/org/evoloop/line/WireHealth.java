@@ -47,7 +47,7 @@ final class WireHealth {
     /** Logs a new fault, and pauses before the next attempt. */
     void tryAgain() throws InterruptedException {
         if (attempts.failed(trouble, clock.nanoTime())) {
-            LOG.warn("{}; the connection is made anew until it works", trouble);
+            LOG.warn("{}; trying to connect again", trouble);
         }
         clock.sleep(attempts.pause());
     }

@@ -237,7 +237,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
     private void note(String why) {
         trouble = why;
         if (attempts.failed(why, System.nanoTime())) {
-            LOG.warn("{}; the connection is made anew until it works", why);
+            LOG.warn("{}; trying to connect again", why);
         }
     }
 

@@ -166,7 +166,7 @@ class BrokerConnectionTest {
             assertThat(logged.lines().get(0))
                     .contains("refuses the login of user ha", MqttOptions.PASSWORD.variable())
                     .doesNotContain("wr0ng");
-            assertThat(wrong.describe()).isEqualTo(logged.lines().get(0).split("; the connection is made anew")[0]);
+            assertThat(wrong.describe()).isEqualTo(logged.lines().get(0).split("; trying to connect again")[0]);
             right.open();
             await().atMost(LIMIT).until(right::isUp);
         }
