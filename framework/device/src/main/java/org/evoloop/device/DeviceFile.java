@@ -328,7 +328,6 @@ public final class DeviceFile {
         private final Map<String, Effect.OfEvent> effects = new LinkedHashMap<>();
         private final Map<String, Integer> costs = new LinkedHashMap<>();
         private final Set<String> doNotPass = new LinkedHashSet<>();
-        private final Set<String> readings = new LinkedHashSet<>();
         private final List<Scenario> scenarios = new ArrayList<>();
         private final List<OptionLine> options = new ArrayList<>();
         private LearnSection learning = LearnSection.NONE;
@@ -353,8 +352,8 @@ public final class DeviceFile {
                 controller.done();
             });
             functionsAndEffects();
-            file.section("learn").ifPresent(learn -> learning = LearnSection.read(learn, models, readings));
-            file.section("home-assistant").ifPresent(section -> home = HomeSection.read(section, models, readings));
+            file.section("learn").ifPresent(learn -> learning = LearnSection.read(learn, models));
+            file.section("home-assistant").ifPresent(section -> home = HomeSection.read(section, models));
             file.section("scenarios").ifPresent(all -> scenarios.addAll(Scenario.read(all, models, home)));
             programOptions.names().forEach(this::option);
             programOptions.check(options, file.problems()::at);
@@ -387,7 +386,7 @@ public final class DeviceFile {
             rules(device, "state", ofDevice(Connection::state));
             rules(device, "does", ofDevice(Connection::does));
             device.named("readings").forEach((reading, rule) -> {
-                readings.add(reading.value());
+                models.declareReading(reading);
                 Connection from = connections.named(rule, "from");
                 if (from != null) {
                     from.useForDevice();

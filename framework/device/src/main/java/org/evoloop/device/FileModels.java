@@ -35,6 +35,7 @@ public final class FileModels {
     private final Set<String> devicesOwn = new LinkedHashSet<>();
     private final Set<String> reported = new LinkedHashSet<>();
     private final Set<String> pressed = new LinkedHashSet<>();
+    private final Set<String> readings = new LinkedHashSet<>();
     private final Set<String> withFunction = new LinkedHashSet<>();
     private final List<Node.Text> sentByFunctions = new ArrayList<>();
 
@@ -116,6 +117,19 @@ public final class FileModels {
         return state.value();
     }
 
+    /** Notes a reading that the file declares. */
+    void declareReading(Node.Text reading) {
+        readings.add(reading.value());
+    }
+
+    /** A reading of the device; if the file declares none, a connection may have some of its own. */
+    String reading(Node.Text reading) {
+        if (!readings.isEmpty()) {
+            problems.requireOneOf(reading, readings, "'" + reading + "' is no reading of the device");
+        }
+        return reading.value();
+    }
+
     /** Any event that the converter can hear of. */
     void known(Node.Text event) {
         Set<String> known = new LinkedHashSet<>(sent);
@@ -165,11 +179,8 @@ public final class FileModels {
                         .transitionsFrom(each)
                         .forEach(next -> known.add(next.event().trigger().name()));
             }
-            if (!known.isEmpty() && !known.contains(event.value())) {
-                problems.at(
-                        event,
-                        "the new model has no transition for '" + event + "' in " + state
-                                + Names.hint(event.value(), known));
+            if (!known.isEmpty()) {
+                problems.requireOneOf(event, known, "the new model has no transition for '" + event + "' in " + state);
             }
         }
         return event.value();
@@ -252,10 +263,7 @@ public final class FileModels {
     }
 
     private void require(Node.Text name, String what, Collection<String> known) {
-        if (!known.contains(name.value())) {
-            problems.at(
-                    name, "'" + Names.inOneLine(name.value()) + "' is not " + what + Names.hint(name.value(), known));
-        }
+        problems.requireOneOf(name, known, "'" + Names.inOneLine(name.value()) + "' is not " + what);
     }
 
     /** Their names; the timers of a model are raised by nobody. */

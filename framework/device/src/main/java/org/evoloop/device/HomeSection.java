@@ -15,7 +15,6 @@ import org.evoloop.mqtt.home.HomeEntity;
 import org.evoloop.mqtt.home.HomeKind;
 import org.evoloop.mqtt.home.HomeTable;
 import org.evoloop.statemachine.Event;
-import org.evoloop.statemachine.Names;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -111,18 +110,14 @@ public final class HomeSection {
         return entities.stream().map(each -> each.entity().toString()).toList();
     }
 
-    /**
-     * Reads the section {@code home-assistant}.
-     *
-     * @param readings those that the file declares; a connection may have others if it declares none
-     */
-    static HomeSection read(Section home, FileModels models, Set<String> readings) {
+    /** Reads the section {@code home-assistant}. */
+    static HomeSection read(Section home, FileModels models) {
         List<Placed> entities = new ArrayList<>();
         Set<String> names = new HashSet<>();
         for (HomeKind kind : HomeKind.values()) {
             home.listed(kind.word()).forEach(section -> {
                 HomeEntity entity = entity(kind, section, models);
-                reading(kind, section, readings).ifPresent(entity::reading);
+                reading(kind, section, models).ifPresent(entity::reading);
                 section.done();
                 if (!names.add(entity.key())) {
                     section.problem("there is another " + entity + "; give each its own name");
@@ -134,20 +129,16 @@ public final class HomeSection {
         return new HomeSection(entities);
     }
 
-    private static Optional<String> reading(HomeKind kind, Section section, Set<String> readings) {
+    private static Optional<String> reading(HomeKind kind, Section section, FileModels models) {
         Node.Text reading = section.text("reading").orElse(null);
         if (reading == null) {
             return Optional.empty();
         }
         if (!kind.hasReading()) {
             section.problems().at(reading, "a " + kind.word() + " shows no reading; a cover and a climate do");
-        } else if (!readings.isEmpty() && !readings.contains(reading.value())) {
-            section.problems()
-                    .at(
-                            reading,
-                            "'" + reading + "' is no reading of the device" + Names.hint(reading.value(), readings));
+            return Optional.empty();
         }
-        return Optional.of(reading.value());
+        return Optional.of(models.reading(reading));
     }
 
     private static HomeEntity entity(HomeKind kind, Section section, FileModels models) {
@@ -159,13 +150,7 @@ public final class HomeSection {
             entity.name(name.value());
         });
         section.text("class").ifPresent(its -> {
-            if (!kind.deviceClasses().contains(its.value())) {
-                section.problems()
-                        .at(
-                                its,
-                                "'" + its + "' is no class of a " + kind.word()
-                                        + Names.hint(its.value(), kind.deviceClasses()));
-            }
+            section.problems().requireOneOf(its, kind.deviceClasses(), "'" + its + "' is no class of a " + kind.word());
             entity.deviceClass(its.value());
         });
         section.pairs("states").forEach((state, as) -> entity.show(state.value(), as.value()));
@@ -188,13 +173,8 @@ public final class HomeSection {
             for (Node.Text state : states.keys()) {
                 models.evolvedState(state);
                 states.texts(state.value()).forEach(command -> {
-                    if (!entity.commandNames().contains(command.value())) {
-                        states.problems()
-                                .at(
-                                        command,
-                                        entity + " has no command '" + command + "'"
-                                                + Names.hint(command.value(), entity.commandNames()));
-                    }
+                    states.problems()
+                            .requireOneOf(command, entity.commandNames(), entity + " has no command '" + command + "'");
                     entity.neverIn(state.value(), command.value());
                 });
             }

@@ -11,7 +11,6 @@ import java.util.Optional;
 import java.util.Set;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
-import org.evoloop.statemachine.Names;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -53,8 +52,7 @@ public record LearnSection(
         hours = List.copyOf(hours);
     }
 
-    /** @param readings those that the file declares; a connection may have others if it declares none */
-    static LearnSection read(Section learn, FileModels models, Set<String> readings) {
+    static LearnSection read(Section learn, FileModels models) {
         String home = learn.text("home").map(models::deviceState).orElse("");
         List<String> reset = new ArrayList<>();
         Set<String> never = new LinkedHashSet<>();
@@ -77,15 +75,8 @@ public record LearnSection(
         Map<String, Double> stops = new LinkedHashMap<>();
         learn.section("stop-above").ifPresent(limits -> {
             for (Node.Text reading : limits.keys()) {
-                if (!readings.isEmpty() && !readings.contains(reading.value())) {
-                    limits.problems()
-                            .at(
-                                    reading,
-                                    "'" + reading + "' is no reading of the device"
-                                            + Names.hint(reading.value(), readings));
-                }
-                limits.value(reading.value(), LearnSection::number)
-                        .ifPresent(limit -> stops.put(reading.value(), limit));
+                String known = models.reading(reading);
+                limits.value(known, LearnSection::number).ifPresent(limit -> stops.put(known, limit));
             }
             limits.done();
         });
@@ -113,13 +104,8 @@ public record LearnSection(
     }
 
     private static String sendable(Section learn, Node.Text event, FileModels models) {
-        if (!models.allSent().contains(event.value())) {
-            learn.problems()
-                    .at(
-                            event,
-                            "'" + event + "' is not an event that is sent to the device"
-                                    + Names.hint(event.value(), models.allSent()));
-        }
+        learn.problems()
+                .requireOneOf(event, models.allSent(), "'" + event + "' is not an event that is sent to the device");
         return event.value();
     }
 

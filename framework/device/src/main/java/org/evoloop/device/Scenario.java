@@ -160,13 +160,9 @@ public record Scenario(String name, List<Line> steps) {
             if (entity == null) {
                 step.problems()
                         .at(name, "home-assistant has no '" + name + "'" + Names.hint(name.value(), home.names()));
-            } else if (!entity.commandNames().contains(command.value())) {
-                step.problems()
-                        .at(
-                                command,
-                                name + " has no command '" + command + "'"
-                                        + Names.hint(command.value(), entity.commandNames()));
             } else {
+                step.problems()
+                        .requireOneOf(command, entity.commandNames(), name + " has no command '" + command + "'");
                 actions.add(running -> running.command(entity, command.value()));
             }
         });

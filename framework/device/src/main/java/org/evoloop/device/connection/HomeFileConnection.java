@@ -34,7 +34,6 @@ import org.evoloop.homeassistant.HomeMonitor;
 import org.evoloop.homeassistant.ServiceCall;
 import org.evoloop.payload.Match;
 import org.evoloop.payload.Meanings;
-import org.evoloop.statemachine.Names;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -148,8 +147,8 @@ final class HomeFileConnection extends Connection {
             return;
         }
         Set<String> known = EntityValue.statesOf(of);
-        if (!known.isEmpty() && !known.contains(text.value())) {
-            rule.problems().at(text, of + " is never '" + text + "'" + Names.hint(text.value(), known));
+        if (!known.isEmpty()) {
+            rule.problems().requireOneOf(text, known, of + " is never '" + text + "'");
         }
     }
 

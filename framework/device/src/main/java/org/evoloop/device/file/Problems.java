@@ -2,9 +2,11 @@ package org.evoloop.device.file;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import org.evoloop.config.Masked;
+import org.evoloop.statemachine.Names;
 
 /**
  * The mistakes in a file, so that all of them can be reported at once, each with its line.
@@ -37,6 +39,17 @@ public final class Problems {
     /** Adds a mistake in this line, from 1; it shows no password that is in a URL. */
     public void at(int line, String mistake) {
         found.add(new Problem(line, Masked.urls(mistake)));
+    }
+
+    /**
+     * Adds a mistake unless {@code name} is one of {@code known}.
+     *
+     * @param mistake what is said then, before the nearest of them
+     */
+    public void requireOneOf(Node.Text name, Collection<String> known, String mistake) {
+        if (!known.contains(name.value())) {
+            at(name, mistake + Names.hint(name.value(), known));
+        }
     }
 
     /** Whether there is any. */
