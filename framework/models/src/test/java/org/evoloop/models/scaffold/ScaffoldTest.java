@@ -187,9 +187,9 @@ class ScaffoldTest {
             commands.flush();
             assertThat(errors.lines())
                     .containsExactly(
-                            "error: there is no atTop; there is push, stay",
-                            "error: there is no tm(5min); there is push, stay",
-                            "error: there is no giveUp; there is push, stay");
+                            "error: there is no 'atTop' here; there is push, stay",
+                            "error: there is no 'tm(5min)' here; there is push, stay",
+                            "error: there is no 'giveUp' here; there is push, stay");
             assertThat(program.waitFor()).isZero();
         } finally {
             program.destroyForcibly();
