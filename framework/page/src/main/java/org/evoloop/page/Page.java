@@ -180,7 +180,7 @@ public final class Page implements AutoCloseable {
                                         .put(
                                                 "drawn",
                                                 machine.withoutMemory(state).name())
-                                        .put("outer", MachineDrawing.outer(machine, state))
+                                        .putTexts("around", MachineDrawing.around(machine, state))
                                         .put("added", added.test(state)))
                                 .toList());
     }

@@ -5,6 +5,7 @@ import { sentBy } from './why.js';
 const MOST_SHOWN = 60;
 let text = '';
 let who = '';
+let rows = new Map(); // those shown, by number: an event that has ended stays as it is
 
 const groups = event => [
   ['controller', 'panel', 'owner'].includes(event.source) ? 'you' : 'self',
@@ -51,8 +52,10 @@ export function showEvents(page) {
   const at = live ? events.length - 1 : page.shown;
   const shown = selected(page);
   const focused = $('log').contains(document.activeElement) ? document.activeElement.dataset.number : null;
-  renew($('log'), shown.map(index => events[index].number), () => (shown.length ? shown.map(index => row(page, index))
-    : [element('li', events.length ? 'No such event.' : 'Nothing has happened yet.', 'soft small')]));
+  renew($('log'), shown.map(index => events[index].number), () => {
+    rows = new Map(shown.map(index => [events[index].number, rows.get(events[index].number) ?? row(page, index)]));
+    return rows.size ? rows.values() : [element('li', events.length ? 'No such event.' : 'Nothing has happened yet.', 'soft small')];
+  });
   for (const button of $('log').querySelectorAll('button')) {
     button.setAttribute('aria-current', Number(button.dataset.number) === events[at]?.number);
     if (button.dataset.number === focused && document.activeElement !== button) button.focus();

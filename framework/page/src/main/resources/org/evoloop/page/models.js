@@ -77,7 +77,7 @@ function choose(page) {
 function boxOf(page, role, name) {
   const known = page.states[role].get(name);
   if (!known) return name;
-  return role === 'new' && $('views').dataset.shows === 'overview' && known.outer ? known.outer : known.drawn;
+  return role === 'new' && $('views').dataset.shows === 'overview' && known.around.length ? known.around[0] : known.drawn;
 }
 
 function stepsOf(page, role, steps) {
@@ -121,8 +121,9 @@ function light(page, role, { at, before, steps, doubt }) {
   drawing.mark('doubt', maybe.map(name => boxOf(page, role, name)));
   drawing.mark('was', steps.length && before !== at ? [boxOf(page, role, before)] : []);
   drawing.light('taken', stepsOf(page, role, doubt && step && role === 'original' ? [step] : steps));
+  const around = `${page.states[role].get(at)?.around.join('.') ?? ''}.`;
   for (const frame of drawing.svg?.querySelectorAll('.composite') ?? []) {
-    frame.classList.toggle('in', frame.dataset.composite === page.states[role].get(at)?.outer);
+    frame.classList.toggle('in', around.startsWith(`${frame.dataset.composite}.`));
   }
   if (!drawing.svg) return;
   const way = steps.map(one => `${page.drawn(role, one.source)} to ${page.drawn(role, one.target)} on ${one.event}`).join(', then ');
@@ -136,7 +137,7 @@ function signpost(page, here, taken, withWays) {
   const [last] = taken.filter(one => page.drawn('new', one.target) === here);
   const ways = withWays ? page.prospect.events.filter(one => one.decisions.some(each => each.target)) : [];
   const outs = ways.map(one => [one.event, one.source, targets(page, one)]);
-  const outer = page.states.new.get(page.status.newState)?.outer ?? '';
+  const outer = page.states.new.get(page.status.newState)?.around.join(' › ') ?? '';
   const tone = page.status.doubt && page.isLive() ? 'doubt' : 'now';
   renew($('around'), [here, last, outs, outer, tone], () => {
     const before = last ? [holding('li', '', state(page.drawn('new', last.source), 'was'), element('span', last.event, 'arr taken'))] : [];

@@ -119,6 +119,43 @@ class DrawingTest {
     }
 
     @Test
+    void aCompositeStateInAnotherIsAFrameInItsFrame() throws Exception {
+        StateMachineBuilder builder = StateMachine.named("fan").initial("Off").transition("Off", "power", "Idle");
+        for (String path : List.of("On.Idle", "On.Fast.Low", "On.Fast.High", "On.Slow.Calm")) {
+            State state = new State(path.substring(path.lastIndexOf('.') + 1));
+            builder.drawn(state, state, List.of(), List.of(path), false);
+            builder.transition(state.name(), "power", "Off");
+        }
+        Document drawn = drawn(builder.transition("Idle", "fast", "Low")
+                .transition("Low", "fast", "High")
+                .transition("High", "slow", "Calm")
+                .build());
+
+        Map<String, Element> boxes = new HashMap<>();
+        NodeList all = drawn.getElementsByTagName("rect");
+        for (int i = 0; i < all.getLength(); i++) {
+            Element parent = (Element) all.item(i).getParentNode();
+            boxes.put(parent.getAttribute("data-state") + parent.getAttribute("data-composite"), (Element) all.item(i));
+        }
+        assertThat(boxes).containsOnlyKeys("Off", "Idle", "Low", "High", "Calm", "On", "On.Fast", "On.Slow");
+        Map<String, List<String>> inside = Map.of(
+                "On", List.of("Idle", "Low", "High", "Calm", "On.Fast", "On.Slow"),
+                "On.Fast", List.of("Low", "High"),
+                "On.Slow", List.of("Calm"));
+        inside.forEach((frame, members) -> boxes.forEach((name, box) -> {
+            if (members.contains(name)) {
+                assertThat(isIn(boxes.get(frame), box))
+                        .as("%s in %s", name, frame)
+                        .isTrue();
+            } else if (!frame.equals(name) && !name.equals("On")) {
+                assertThat(overlap(boxes.get(frame), box))
+                        .as("%s beside %s", name, frame)
+                        .isFalse();
+            }
+        }));
+    }
+
+    @Test
     void statesThatDifferInWhatIsRememberedAreOneAsDrawn() throws Exception {
         Document drawn = drawn(airConditioner());
         assertThat(with(drawn, "g", "data-state")).containsExactlyInAnyOrder("Off|", "Cool|", "Dry|", "Fan|", "Boost|");

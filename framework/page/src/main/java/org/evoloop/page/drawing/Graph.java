@@ -20,6 +20,11 @@ final class Graph {
     static final double STATE_HEIGHT = 40;
     static final double LINE = 17;
 
+    /** Between a frame and what is in it, and above that for the frame's name. */
+    static final double PADDING = 12;
+
+    static final double TITLE = 24;
+
     /** An item that takes room in a row. */
     static final class Box {
         final int row;
@@ -49,17 +54,41 @@ final class Graph {
      */
     record Arrow(State source, State target, List<Sketch.Line> lines, List<Box> way, Box label) {}
 
+    /**
+     * A composite state, drawn as a frame.
+     *
+     * @param path the names of the composite states around it, and its own
+     * @param states the boxes in it, also in the frames in it
+     */
+    record Frame(List<String> path, List<Box> states) {
+        /** Whether it is one of the composite states {@code around} some state. */
+        boolean isAmong(List<String> around) {
+            return shared(around, path) == path.size();
+        }
+
+        int firstRow() {
+            return states.stream().mapToInt(box -> box.row).min().orElse(0);
+        }
+
+        int lastRow() {
+            return states.stream().mapToInt(box -> box.row).max().orElse(0);
+        }
+    }
+
     final Map<State, Box> states = new LinkedHashMap<>();
     final List<Arrow> arrows = new ArrayList<>();
     final List<List<Box>> rows = new ArrayList<>();
 
-    /** The names of the composite states, by band; that of the states in none is empty. */
-    final List<String> bands;
+    /** The composite states around the states of each band, the outermost first; those of one frame are side by side. */
+    final List<List<String>> bands = new ArrayList<>();
+
+    /** An outer one before those in it. */
+    final List<Frame> frames = new ArrayList<>();
 
     Graph(Sketch sketch) {
-        bands = List.copyOf(new LinkedHashSet<>(sketch.outer().values()));
+        new LinkedHashSet<>(sketch.around().values()).forEach(this::addBand);
         Map<State, Integer> distances = distances(sketch);
-        sketch.outer()
+        sketch.around()
                 .forEach((state, around) -> states.put(
                         state,
                         box(
@@ -73,6 +102,49 @@ final class Graph {
                     .add(line);
         }
         between.forEach((ends, lines) -> arrows.add(arrow(ends.get(0), ends.get(1), lines)));
+        for (List<String> band : bands) {
+            for (int depth = 1; depth <= band.size(); depth++) {
+                Frame frame = new Frame(band.subList(0, depth), new ArrayList<>());
+                if (frames.stream().noneMatch(other -> other.path().equals(frame.path()))) {
+                    states.values().stream()
+                            .filter(box -> frame.isAmong(bands.get(box.band)))
+                            .forEach(frame.states()::add);
+                    frames.add(frame);
+                }
+            }
+        }
+    }
+
+    /** Behind those with which it shares most. */
+    private void addBand(List<String> band) {
+        int place = bands.size();
+        int most = 0;
+        for (int other = 0; other < bands.size(); other++) {
+            int shared = shared(bands.get(other), band);
+            if (shared > 0 && shared >= most) {
+                most = shared;
+                place = other + 1;
+            }
+        }
+        bands.add(place, band);
+    }
+
+    private static int shared(List<String> one, List<String> other) {
+        int shared = 0;
+        while (shared < Math.min(one.size(), other.size()) && one.get(shared).equals(other.get(shared))) {
+            shared++;
+        }
+        return shared;
+    }
+
+    /** How many frames are around the innermost states. */
+    int depth() {
+        return bands.stream().mapToInt(List::size).max().orElse(0);
+    }
+
+    /** How many frames lie between the edge of {@code frame} and a box in it, its own included. */
+    int levels(Frame frame, Box box) {
+        return bands.get(box.band).size() - frame.path().size() + 1;
     }
 
     private static Map<State, Integer> distances(Sketch sketch) {

@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.page.drawing.Graph.Arrow;
 import org.evoloop.page.drawing.Graph.Box;
+import org.evoloop.page.drawing.Graph.Frame;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
@@ -26,8 +27,6 @@ public final class MachineDrawing {
     static final int MOST_TRANSITIONS = 400;
 
     private static final double MARGIN = 16;
-    private static final double PADDING = 12;
-    private static final double TITLE = 24;
 
     private final StateMachine machine;
     private final Sketch sketch;
@@ -80,9 +79,9 @@ public final class MachineDrawing {
                 : new MachineDrawing(machine, more, models::isNew).draw();
     }
 
-    /** The outermost composite state in which {@code state} is drawn; empty if there is none. */
-    public static String outer(StateMachine machine, State state) {
-        return Sketch.outer(machine, state);
+    /** The composite states in which {@code state} is drawn, the outermost first. */
+    public static List<String> around(StateMachine machine, State state) {
+        return Sketch.around(machine, state);
     }
 
     private static String of(StateMachine machine, Sketch sketch, Predicate<State> added) {
@@ -90,15 +89,19 @@ public final class MachineDrawing {
     }
 
     private static boolean isTooLarge(Sketch sketch) {
-        return Math.max(sketch.arrows().size(), sketch.outer().size()) > MOST_TRANSITIONS;
+        return Math.max(sketch.arrows().size(), sketch.around().size()) > MOST_TRANSITIONS;
     }
 
     private double width() {
         return graph.rows.stream()
                 .flatMap(List::stream)
-                .mapToDouble(box -> box.x + box.width / 2 + PADDING + MARGIN)
+                .mapToDouble(box -> box.x + box.width / 2 + margin())
                 .max()
                 .orElse(0);
+    }
+
+    private double margin() {
+        return MARGIN + Graph.PADDING * Math.max(1, graph.depth());
     }
 
     private String draw() {
@@ -106,17 +109,13 @@ public final class MachineDrawing {
         double height = 0;
         for (List<Box> row : graph.rows) {
             for (Box box : row) {
-                height = Math.max(height, box.y + box.height / 2 + PADDING + MARGIN);
+                height = Math.max(height, box.y + box.height / 2 + margin());
             }
         }
         svg.append(format(
                 "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0 %.0f %.0f\" width=\"%.0f\" height=\"%.0f\">",
                 width, height, width, height));
-        for (int band = 0; band < graph.bands.size(); band++) {
-            if (!graph.bands.get(band).isEmpty()) {
-                frame(graph.bands.get(band), band);
-            }
-        }
+        graph.frames.forEach(this::frame);
         graph.arrows.forEach(this::line);
         Box initial = graph.box(sketch.initial());
         double top = initial.y - initial.height / 2;
@@ -130,23 +129,32 @@ public final class MachineDrawing {
     }
 
     /** A composite state, around its states. */
-    private void frame(String name, int band) {
+    private void frame(Frame frame) {
         double left = Double.MAX_VALUE;
         double top = Double.MAX_VALUE;
         double right = 0;
         double bottom = 0;
-        for (Box box : graph.states.values()) {
-            if (box.band == band) {
-                left = Math.min(left, box.x - box.width / 2 - PADDING);
-                right = Math.max(right, box.x + box.width / 2 + PADDING);
-                top = Math.min(top, box.y - box.height / 2 - PADDING - TITLE);
-                bottom = Math.max(bottom, box.y + box.height / 2 + PADDING);
-            }
+        for (Box box : frame.states()) {
+            int levels = graph.levels(frame, box);
+            double beside = box.width / 2 + levels * Graph.PADDING;
+            double below = box.height / 2 + levels * Graph.PADDING;
+            left = Math.min(left, box.x - beside);
+            right = Math.max(right, box.x + beside);
+            top = Math.min(top, box.y - below - levels * Graph.TITLE);
+            bottom = Math.max(bottom, box.y + below);
         }
+        String name = frame.path().get(frame.path().size() - 1);
         svg.append(format(
                 "<g class=\"composite\" data-composite=\"%s\"><rect class=\"box frame\" x=\"%.1f\" y=\"%.1f\" width=\"%.1f\""
                         + " height=\"%.1f\" rx=\"12\"/><text class=\"title\" x=\"%.1f\" y=\"%.1f\">%s</text></g>",
-                escape(name), left, top, right - left, bottom - top, left + PADDING, top + 18, escape(name)));
+                escape(String.join(".", frame.path())),
+                left,
+                top,
+                right - left,
+                bottom - top,
+                left + Graph.PADDING,
+                top + 18,
+                escape(name)));
     }
 
     private void state(State state, Box box) {

@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.ToIntFunction;
 import org.evoloop.page.drawing.Graph.Box;
+import org.evoloop.page.drawing.Graph.Frame;
 
 /**
  * Orders the boxes of a graph with few crossings, then places them: each near its neighbours, none overlapping.
@@ -13,26 +15,29 @@ final class Rows {
     private static final double GAP = 16;
     private static final double ROW_GAP = 18;
 
-    /** Between bands, for the edges of two frames. */
-    private static final double BAND_GAP = 40;
-
-    /** Room for the initial arrow and the name of a frame. */
-    private static final double ABOVE = 56;
+    /** Room for the initial arrow. */
+    private static final double ABOVE = 44;
 
     private static final int SWEEPS = 12;
 
+    private final Graph graph;
     private final List<List<Box>> rows;
+
+    /** Between bands, for the edges of their frames. */
+    private final double bandGap;
 
     /** The left edge of each band; the last is the right edge of all. */
     private final double[] edges;
 
     private Rows(Graph graph) {
+        this.graph = graph;
         this.rows = graph.rows;
+        this.bandGap = GAP + 2 * Graph.PADDING * Math.max(1, graph.depth());
         this.edges = new double[graph.bands.size() + 1];
         for (int band = 0; band < graph.bands.size(); band++) {
             int each = band;
             edges[band + 1] = edges[band]
-                    + BAND_GAP
+                    + bandGap
                     + rows.stream()
                             .mapToDouble(row -> width(of(row, each)))
                             .max()
@@ -107,7 +112,7 @@ final class Rows {
     private void pull() {
         for (List<Box> row : rows) {
             for (int band = 0; band < edges.length - 1; band++) {
-                pull(of(row, band), edges[band] + BAND_GAP / 2, edges[band + 1] - BAND_GAP / 2);
+                pull(of(row, band), edges[band] + bandGap / 2, edges[band + 1] - bandGap / 2);
             }
         }
     }
@@ -150,17 +155,29 @@ final class Rows {
                 .mapToDouble(box -> box.x - box.width / 2)
                 .min()
                 .orElse(0);
-        rows.forEach(row -> row.forEach(box -> box.x += GAP - left));
+        rows.forEach(row -> row.forEach(box -> box.x += GAP + Graph.PADDING * graph.depth() - left));
     }
 
     private void stack() {
         double top = ABOVE;
-        for (List<Box> row : rows) {
+        for (int index = 0; index < rows.size(); index++) {
+            List<Box> row = rows.get(index);
+            top += (Graph.PADDING + Graph.TITLE) * most(index, Frame::firstRow);
             double height = row.stream().mapToDouble(box -> box.height).max().orElse(0);
             for (Box box : row) {
                 box.y = top + height / 2;
             }
-            top += height + ROW_GAP;
+            top += height + ROW_GAP + Graph.PADDING * most(index, Frame::lastRow);
         }
+    }
+
+    /** How many frames, one in another, have their first or last row there. */
+    private int most(int row, ToIntFunction<Frame> end) {
+        return graph.bands.stream()
+                .mapToInt(band -> (int) graph.frames.stream()
+                        .filter(frame -> frame.isAmong(band) && end.applyAsInt(frame) == row)
+                        .count())
+                .max()
+                .orElse(0);
     }
 }

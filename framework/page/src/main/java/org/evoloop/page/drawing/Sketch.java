@@ -1,6 +1,5 @@
 package org.evoloop.page.drawing;
 
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -12,24 +11,24 @@ import org.evoloop.statemachine.Transition;
 
 /**
  * What of a machine is drawn: states that differ only in what the machine remembers are one, as their author drew them,
- * and each knows the composite state around it.
+ * and each knows the composite states around it.
  *
- * @param outer the outermost composite state around each state; empty for none
+ * @param around the composite states around each state, the outermost first
  * @param arrows without those that are the same
  */
-record Sketch(State initial, Map<State, String> outer, Set<Line> arrows) {
+record Sketch(State initial, Map<State, List<String>> around, Set<Line> arrows) {
     /** An arrow and its text. */
     record Line(State source, State target, String event, String text) {}
 
     /** @param closed whether a composite state is drawn as one box */
     static Sketch of(StateMachine machine, boolean closed) {
         Map<State, State> drawn = new LinkedHashMap<>();
-        Map<State, String> outer = new LinkedHashMap<>();
+        Map<State, List<String>> around = new LinkedHashMap<>();
         for (State state : machine.states()) {
-            String around = outer(machine, state);
-            State box = closed && !around.isEmpty() ? new State(around) : machine.withoutMemory(state);
+            List<String> frames = around(machine, state);
+            State box = closed && !frames.isEmpty() ? new State(frames.get(0)) : machine.withoutMemory(state);
             drawn.put(state, box);
-            outer.putIfAbsent(box, closed ? "" : around);
+            around.putIfAbsent(box, closed ? List.of() : frames);
         }
         Set<Line> arrows = new LinkedHashSet<>();
         for (Transition each : machine.transitions()) {
@@ -40,14 +39,14 @@ record Sketch(State initial, Map<State, String> outer, Set<Line> arrows) {
                 arrows.add(new Line(source, target, each.event().toString(), text(each)));
             }
         }
-        return new Sketch(drawn.getOrDefault(machine.initial(), machine.initial()), outer, arrows);
+        return new Sketch(drawn.getOrDefault(machine.initial(), machine.initial()), around, arrows);
     }
 
     /** The arrows that {@code before} has not, with their states and the initial one. */
     Sketch without(Sketch before) {
         Set<Line> more = new LinkedHashSet<>(arrows);
         more.removeAll(before.arrows());
-        Map<State, String> drawn = new LinkedHashMap<>(outer);
+        Map<State, List<String>> drawn = new LinkedHashMap<>(around);
         drawn.keySet()
                 .removeIf(state -> !state.equals(initial)
                         && more.stream()
@@ -56,14 +55,29 @@ record Sketch(State initial, Map<State, String> outer, Set<Line> arrows) {
         return new Sketch(initial, drawn, more);
     }
 
-    /** The outermost composite state in which {@code state} is drawn; empty if it is at the top, or in no single one. */
-    static String outer(StateMachine machine, State state) {
-        List<String> around = new ArrayList<>();
-        for (String path : machine.paths(state)) {
-            int end = path.indexOf('.');
-            around.add(end < 0 || path.equals(state.name()) ? "" : path.substring(0, end));
+    /**
+     * The composite states in which {@code state} is drawn, the outermost first. Of a state with several regions, those
+     * around all of them.
+     */
+    static List<String> around(StateMachine machine, State state) {
+        if (machine.isDrawnFlat()) {
+            return List.of();
         }
-        return around.stream().distinct().count() == 1 ? around.get(0) : "";
+        List<List<String>> all = machine.paths(state).stream()
+                .map(path -> List.of(path.split("\\.")))
+                .map(names -> names.subList(0, names.size() - 1))
+                .toList();
+        List<String> first = all.get(0);
+        int shared = 0;
+        while (shared < first.size() && isShared(all, first, shared)) {
+            shared++;
+        }
+        return first.subList(0, shared);
+    }
+
+    private static boolean isShared(List<List<String>> all, List<String> first, int depth) {
+        return all.stream()
+                .allMatch(names -> depth < names.size() && names.get(depth).equals(first.get(depth)));
     }
 
     /** As on a diagram: event, guards and effects. */
@@ -74,6 +88,6 @@ record Sketch(State initial, Map<State, String> outer, Set<Line> arrows) {
 
     /** Whether any state is drawn inside another. */
     boolean hasComposites() {
-        return outer.values().stream().anyMatch(name -> !name.isEmpty());
+        return around.values().stream().anyMatch(frames -> !frames.isEmpty());
     }
 }
