@@ -15,7 +15,7 @@ export class Store extends EventTarget {
   #steps = [];
   #undone = [];
   files = []; // as listed by the server
-  documents = new Map(); // path -> { path, kind, text, saved, version, conflict, left: [other texts] }
+  documents = new Map(); // path -> { path, kind, text, saved, version, conflict, gone, left: [other texts] }
   unkept = false; // localStorage is full or forbidden
 
   async start() {
@@ -135,7 +135,7 @@ export class Store extends EventTarget {
     const { text } = one;
     try {
       const { version } = await ask('PUT', '/api/file', { path, text, version: one.version });
-      Object.assign(one, { saved: text, version, conflict: null });
+      Object.assign(one, { saved: text, version, conflict: null, gone: false });
     } catch (failure) {
       if (failure.status !== 409) throw failure;
       this.#differs(one, failure.answer);
@@ -149,9 +149,11 @@ export class Store extends EventTarget {
   async look(path) {
     const one = this.get(path);
     if (one.saved === null) return;
-    const { text, version } = await ask('GET', `/api/file?path=${encodeURIComponent(path)}`);
-    if (version === one.version || version === one.conflict?.version) return;
-    this.#differs(one, { text, version });
+    const disk = await ask('GET', `/api/file?path=${encodeURIComponent(path)}`)
+      .catch(failure => { if (failure.status === 404) return null; throw failure; });
+    if (disk && (disk.version === one.version || disk.version === one.conflict?.version)) return;
+    if (disk) this.#differs(one, disk);
+    else Object.assign(one, { saved: null, version: '', conflict: null, gone: true });
     this.#keep(one);
     this.#tell();
   }

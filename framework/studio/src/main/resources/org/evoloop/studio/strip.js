@@ -7,6 +7,18 @@ const chosen = (names, value, first) => {
   select.value = names.includes(value) ? value : '';
   return select;
 };
+
+// An event that the device raises by itself has a keyword in the text, and a box to tick here.
+const OWN = '«spontaneous» ';
+const marked = (events, own) => (own ? events.split(',').map(one => OWN + one.trim()).join(', ') : events);
+const box = (id, checked) => Object.assign(make('input', { type: 'checkbox', id, title: 'The device does it without being told' }), { checked });
+
+// The event's name without the keyword; null if there is none, or more than a box can say.
+function nameOf(trigger) {
+  const name = trigger.startsWith(OWN) ? trigger.slice(OWN.length) : trigger;
+  return /^tm\(|[«,]/.test(name) ? null : name || null;
+}
+
 const names = model => (model?.states ?? []).map(one => one.name);
 
 export class Strip {
@@ -79,11 +91,17 @@ export class Strip {
   #transition({ side, transition }) {
     const { line, source, target, trigger, guard } = transition;
     const all = names(this.#model(side));
+    const name = side === 'original' ? nameOf(trigger) : null;
+    const own = box('own', trigger.startsWith(OWN));
+    const event = this.#changed(make('input', { type: 'text', value: name ?? trigger, id: 'trigger' }), () => retrigger());
+    const retrigger = () => this.#edit(side, { kind: 'set-trigger', line, event: marked(event.value.trim(), name !== null && own.checked) });
+    own.addEventListener('change', retrigger);
     this.#place.replaceChildren(
       this.#changed(Object.assign(chosen(all, source), { ariaLabel: 'From' }), to => this.#edit(side, { kind: 'retarget', line, source: to })),
       '→',
       this.#changed(Object.assign(chosen(all, target), { ariaLabel: 'To' }), to => this.#edit(side, { kind: 'retarget', line, target: to })),
-      field('on', this.#changed(make('input', { type: 'text', value: trigger, id: 'trigger' }), to => this.#edit(side, { kind: 'set-trigger', line, event: to }))),
+      field('on', event),
+      ...(name === null ? [] : [field('by itself', own)]),
       field('if', this.#changed(make('input', { type: 'text', value: guard ?? '', placeholder: 'no guard', id: 'guard' }), to => this.#edit(side, { kind: 'set-guard', line, guard: to }))),
       button('Delete', () => this.#edit(side, { kind: 'delete-transition', line }), { id: 'delete' }),
       this.#words);
@@ -115,11 +133,12 @@ export class Strip {
     const target = Object.assign(chosen(all, to ?? all[0]), { id: 'new-target' });
     const event = make('input', { type: 'text', required: true, id: 'new-event' });
     const guard = make('input', { type: 'text', placeholder: 'no guard', id: 'new-guard' });
-    this.#form('A new arrow', [field('From', source), field('to', target), field('on', event), field('if', guard)],
+    const own = box('new-own', false);
+    this.#form('A new arrow', [field('From', source), field('to', target), field('on', event), field('if', guard), ...(side === 'original' ? [field('by itself', own)] : [])],
       () => {
         const both = guard.value.trim() ? null : /^(.*?)\s*\[(.*)\]$/.exec(event.value.trim()); // as on a diagram
         const [named, condition] = both ? both.slice(1) : [event.value.trim(), guard.value.trim()];
-        return this.#edit(side, { kind: 'add-transition', source: source.value, target: target.value, event: named, ...(condition ? { guard: condition } : {}) });
+        return this.#edit(side, { kind: 'add-transition', source: source.value, target: target.value, event: marked(named, own.checked), ...(condition ? { guard: condition } : {}) });
       });
     (from && to ? event : from ? target : source).focus();
   }

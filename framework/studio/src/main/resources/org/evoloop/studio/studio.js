@@ -283,8 +283,10 @@ function editorTo(path) {
   show();
 }
 
+const save = path => store.save(path).catch(failure => strip.say(failure.message, 'bad'));
+
 async function saveAll() {
-  for (const path of store.unsaved) await store.save(path).catch(failure => strip.say(failure.message, 'bad'));
+  for (const path of store.unsaved) await save(path);
   await store.list().catch(() => {});
   show();
 }
@@ -322,7 +324,11 @@ function banners() {
     list.push(make('div.banner.bad', {}, make('span', {}, make('b', {}, 'The studio was started anew.'), ' What you typed is here. Give the address that it has printed.'), form));
   }
   if (store.unkept) list.push(make('div.banner.bad', {}, make('span', {}, 'This browser keeps nothing for this page: save before you close it.')));
-  for (const { path, conflict, left } of store.documents.values()) {
+  for (const { path, conflict, gone, left } of store.documents.values()) {
+    if (gone) {
+      list.push(make('div.banner', {}, make('span', {}, make('b', {}, `${path} is no longer on the disk.`), ' Its text is here.'),
+        button('Write it again', () => save(path))));
+    }
     if (conflict) {
       list.push(make('div.banner', {}, make('span', {}, make('b', {}, `${path} has changed on the disk.`), ' Yours is not saved.'),
         button('Compare', () => files.compare(path, conflict.text, store.text(path))), button('Keep mine', () => store.keepMine(path)), button('Take the disk’s', () => { store.takeTheirs(path); later(0); })));

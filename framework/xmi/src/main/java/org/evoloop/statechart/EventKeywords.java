@@ -15,8 +15,8 @@ import org.evoloop.statemachine.StateMachine;
  * @since 0.1
  */
 public final class EventKeywords {
-    static final String SPONTANEOUS = "spontaneous";
-    static final String URGENT = "urgent";
+    public static final String SPONTANEOUS = "spontaneous";
+    public static final String URGENT = "urgent";
 
     private static final String WORD = "(?:" + SPONTANEOUS + "|" + URGENT + ")";
     private static final String GROUP = "\\s*(?:«|<<)\\s*" + WORD + "(?:\\s*,\\s*" + WORD + ")*\\s*(?:»|>>)";
@@ -35,7 +35,7 @@ public final class EventKeywords {
     }
 
     /** The name without the keywords, if it has any. */
-    private static String unmarked(String name) {
+    public static String unmarked(String name) {
         Matcher marked = MARKED.matcher(name);
         return marked.matches() ? marked.group(2) : name;
     }
@@ -47,7 +47,7 @@ public final class EventKeywords {
     }
 
     /** The names that have the keyword, without it. */
-    static List<String> marked(List<String> names, String keyword) {
+    public static List<String> marked(List<String> names, String keyword) {
         if (!isAnyPossible(names)) {
             return List.of();
         }

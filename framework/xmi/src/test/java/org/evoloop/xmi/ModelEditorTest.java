@@ -155,6 +155,31 @@ class ModelEditorTest {
 
     @ParameterizedTest
     @MethodSource("samples")
+    void anEventBecomesTheDevicesOwnAndNoLonger(Sample sample) {
+        Sample own = sample.edited(e -> e.addTransition("on", "off", "«spontaneous» burnt", ""));
+        int line = own.line("burnt");
+        assertThat(own.read().spontaneous()).containsExactly(new Event("burnt"));
+        Sample both = own.edited(e -> e.setTrigger(line, "«urgent» burnt, «urgent» broken"));
+        assertThat(both.read().spontaneous()).isEmpty();
+        assertThat(both.read().urgent()).containsExactlyInAnyOrder(new Event("burnt"), new Event("broken"));
+        Sample plain = both.edited(e -> e.setTrigger(line, "burnt"));
+        assertThat(plain.read().urgent()).isEmpty();
+        assertThat(transitions(plain.read())).contains("on --burnt--> off");
+    }
+
+    @Test
+    void inScxmlAKeywordIsForAllEventsOfATransition() {
+        Sample scxml = samples()
+                .filter(each -> each.file().endsWith("scxml"))
+                .findFirst()
+                .orElseThrow();
+        assertThatThrownBy(() -> scxml.editor().addTransition("on", "off", "«spontaneous» burnt, broken", ""))
+                .isInstanceOf(ModelException.class)
+                .hasMessageContaining("give each kind a transition of its own");
+    }
+
+    @ParameterizedTest
+    @MethodSource("samples")
     void anEditAndItsInverseRestoreTheText(Sample sample) {
         assertThat(sample.edited(e -> e.addState("warm", ""))
                         .edited(e -> e.deleteState("warm"))

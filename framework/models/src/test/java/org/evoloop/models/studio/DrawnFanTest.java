@@ -148,11 +148,14 @@ class DrawnFanTest {
             window.drag(side, "High", "Off", "power");
             window.drag(side, "High", "Low", "speed");
         }
+        window.dragOwn("High", "Off", "overheat");
+        window.drag("new", "High", "Off", "overheat");
         window.addState("new", "Breeze");
         window.drag("new", "Off", "High", "boost");
         window.drag("new", "Low", "Breeze", "breeze");
         window.drag("new", "High", "Breeze", "breeze");
         window.drag("new", "Breeze", "Off", "power");
+        window.drag("new", "Breeze", "Off", "overheat");
         window.drag("new", "Breeze", "Off", "tm(30min)");
     }
 
@@ -173,6 +176,7 @@ class DrawnFanTest {
             window.awaitState("original", "Off");
             draw(window);
             window.save();
+            assertThat(Path.of(saved("original"))).content().contains("High --> Off : «spontaneous» overheat");
             assertThat(Tool.run("check", saved("original"), saved("new")).status())
                     .isZero();
             assertThat(Tool.run("diff", saved("original"), saved("new")).out()).contains("Breeze", "boost");

@@ -400,6 +400,18 @@ class StudioPageTest {
     }
 
     @Test
+    void aFileThatIsDeletedMeanwhileIsToldAndItsTextStays() throws Exception {
+        lamp();
+        Files.delete(folder.resolve("lamp.md"));
+        browser.evaluate("dispatchEvent(new Event('focus'))");
+        browser.await("document.querySelector('#banners').innerText.includes('lamp.md is no longer on the disk')");
+        assertThat(window.text()).isEqualTo(LAMP);
+        window.button("#banners", "Write it again");
+        browser.await("document.querySelector('#banners').innerText === ''");
+        assertThat(folder.resolve("lamp.md")).content().isEqualTo(LAMP);
+    }
+
+    @Test
     void whatAClosedWindowHasTypedIsTakenOver() throws Exception {
         lamp();
         go(LINE_OF_WAIT);
@@ -440,13 +452,16 @@ class StudioPageTest {
         window.open();
         window.awaitState("new", "wait");
         go(8);
-        browser.await("document.querySelector('#trigger')?.value === '«spontaneous» burnt'");
+        browser.await(
+                "document.querySelector('#trigger')?.value === 'burnt' && document.querySelector('#own').checked");
         window.focus("#trigger");
         browser.evaluate("document.querySelector('#trigger').setSelectionRange(99, 99)");
         browser.type(" out");
         browser.enter();
         window.awaitArrow("original", "on", "off", "burnt out");
         assertThat(window.text()).contains("on --> off : «spontaneous» burnt out");
+        browser.click("#own");
+        browser.await("document.querySelector('#text').value.includes('on --> off : burnt out')");
         window.drag("new", "on", "wait", "wink [dark]", "wink");
         assertThat(window.text()).contains("on --> wait : wink [dark]");
     }

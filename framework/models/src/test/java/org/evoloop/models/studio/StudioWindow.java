@@ -140,9 +140,25 @@ final class StudioWindow implements AutoCloseable {
 
     /** @param event that the arrow has when {@code typed} is typed */
     void drag(String side, String source, String target, String typed, String event) {
+        dragTo(side, source, target);
+        type(side, source, target, typed, event);
+    }
+
+    /** Drags an arrow of the device's model, whose event the device raises by itself. */
+    void dragOwn(String source, String target, String event) {
+        dragTo("original", source, target);
+        browser.click("#new-own");
+        focus("#new-event");
+        type("original", source, target, event, event);
+    }
+
+    private void dragTo(String side, String source, String target) {
         pick(side, source);
         browser.drag(port(side) + ".handle", state(side, target) + " .box");
         browser.await("document.activeElement.id === 'new-event'");
+    }
+
+    private void type(String side, String source, String target, String typed, String event) {
         browser.type(typed);
         browser.enter();
         awaitArrow(side, source, target, event);
@@ -152,7 +168,7 @@ final class StudioWindow implements AutoCloseable {
         browser.await(
                 "[...document.querySelectorAll('" + port(side) + ".event')].some(({ dataset }) => dataset.source === '"
                         + source + "' && dataset.target === '" + target + "' && dataset.event === '"
-                        + event.replace("«spontaneous» ", "") + "')");
+                        + event + "')");
         quiet();
     }
 

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import org.evoloop.statechart.EventKeywords;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.xmi.dialect.MachineEditor;
 import org.evoloop.xmi.scxml.XmlTags.Element;
@@ -15,6 +16,7 @@ import org.evoloop.xmi.scxml.XmlTags.Value;
 @SuppressWarnings("ReferenceEquality") // two elements may look alike
 public final class ScxmlEditor implements MachineEditor {
     private static final Set<String> STATES = Set.of("state", "parallel", "final");
+    private static final List<String> KEYWORDS = List.of(EventKeywords.SPONTANEOUS, EventKeywords.URGENT);
     private static final String INDENT = "  ";
 
     private final String file;
@@ -141,6 +143,10 @@ public final class ScxmlEditor implements MachineEditor {
         Element from = state(source);
         String element = "<transition"
                 + (event.isBlank() ? "" : " event=\"" + escaped(words(event)) + "\"")
+                + KEYWORDS.stream()
+                        .filter(keyword -> isMarked(event, keyword))
+                        .map(keyword -> " " + own(keyword) + "=\"true\"")
+                        .collect(Collectors.joining())
                 + (guard.isBlank() ? "" : " cond=\"" + escaped(guard.strip()) + "\"")
                 + " target=\"" + escaped(target) + "\"/>";
         return insertInside(from, element);
@@ -167,10 +173,23 @@ public final class ScxmlEditor implements MachineEditor {
     }
 
     private static String device(Element state) {
-        return state.attributes().keySet().stream()
-                .filter(name -> name.endsWith(":device"))
+        return own(state, "device");
+    }
+
+    /** The name of an attribute of ours, with its prefix; empty if the element has none. */
+    private static String own(Element element, String name) {
+        return element.attributes().keySet().stream()
+                .filter(attribute -> attribute.endsWith(":" + name))
                 .findFirst()
                 .orElse("");
+    }
+
+    /** The name for a new attribute of ours, whose namespace is declared. */
+    private String own(String name) {
+        if (!root().attributes().containsKey("xmlns:ev")) {
+            set(root(), "xmlns:ev", "urn:evoloop");
+        }
+        return "ev:" + name;
     }
 
     @Override
@@ -186,10 +205,7 @@ public final class ScxmlEditor implements MachineEditor {
     public int setDeviceState(String name, String device) {
         Element state = state(name);
         String known = device(state);
-        if (known.isEmpty() && !device.isEmpty() && !text.contains("xmlns:ev=")) {
-            set(root(), "xmlns:ev", "urn:evoloop");
-        }
-        return set(state, known.isEmpty() ? "ev:device" : known, device);
+        return set(state, known.isEmpty() && !device.isEmpty() ? own("device") : known, device);
     }
 
     /** Sets an attribute, or removes it if the value is empty. */
@@ -210,14 +226,36 @@ public final class ScxmlEditor implements MachineEditor {
         return element.firstLine();
     }
 
-    /** Events are separated by blanks in SCXML. */
+    /** Events are separated by blanks in SCXML, and their keywords are attributes. */
     private static String words(String events) {
-        return events.strip().replaceAll("\\s*,\\s*", " ");
+        return names(events).stream().map(EventKeywords::unmarked).collect(Collectors.joining(" "));
+    }
+
+    private static List<String> names(String events) {
+        return List.of(events.strip().split("\\s*,\\s*"));
+    }
+
+    private static boolean isMarked(String events, String keyword) {
+        int marked = EventKeywords.marked(names(events), keyword).size();
+        if (marked > 0 && marked < names(events).size()) {
+            throw new ModelException("in SCXML all events of a transition are «" + keyword
+                    + "», or none of them; give each kind a transition of its own");
+        }
+        return marked > 0;
     }
 
     @Override
     public int setTrigger(int line, String event) {
-        return set(transition(line), "event", words(event));
+        Element transition = transition(line);
+        for (String keyword : KEYWORDS) {
+            String known = own(transition, keyword);
+            if (isMarked(event, keyword)) {
+                set(transition, known.isEmpty() ? own(keyword) : known, "true");
+            } else if (!known.isEmpty()) {
+                set(transition, known, "");
+            }
+        }
+        return set(transition, "event", words(event));
     }
 
     @Override
