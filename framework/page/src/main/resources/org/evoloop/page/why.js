@@ -51,7 +51,7 @@ function steps(page, event) {
   const isNew = kind === 'new-function';
   if (done && !sentBy(event).length && kind) list.push([[isNew ? `Nothing is sent: the function of ${to} begins.` : 'Nothing is sent.'], false]);
   for (const effect of event.decision?.effects ?? []) list.push([['ran ', element('code', effect)], done]);
-  if (event.detail) list.push([[element('span', event.detail, event.outcome === 'failed' ? 'bad' : '')], false]);
+  if (event.detail && !sentBy(event).includes(event.detail)) list.push([[element('span', event.detail, event.outcome === 'failed' ? 'bad' : '')], false]);
   return list;
 }
 
