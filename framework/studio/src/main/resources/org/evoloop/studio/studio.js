@@ -434,6 +434,9 @@ function keys(key) {
 
 const side = event => (event.target.closest?.('.view')?.dataset.side === 'original' || (picked?.side === 'original' && !event.target.closest?.('.view')) ? 'original' : 'new');
 
+// The line where a text that is mostly prose has its first diagram; else the first line.
+const firstDrawn = text => Math.max(1, text.split('\n').findIndex(line => /^\s*(```|~~~)\s*(mermaid|plantuml|puml)\b/.test(line)) + 1);
+
 async function start() {
   onLink(connected);
   theme(localStorage.getItem('evoloop-theme') ?? 'auto');
@@ -447,8 +450,12 @@ async function start() {
   chosen = await files.first();
   for (const file of store.files.filter(one => one.kind === 'device').slice(0, 2)) await store.open(file.path).catch(() => {});
   const first = chosen.new ?? chosen.original;
-  if (first) editorTo(first.path);
-  else files.welcome();
+  if (first) {
+    editorTo(first.path);
+    editor.go(firstDrawn(store.text(first.path)));
+  } else {
+    files.welcome();
+  }
   later(0);
 }
 
