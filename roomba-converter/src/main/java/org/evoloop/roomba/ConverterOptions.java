@@ -7,6 +7,8 @@ import java.nio.file.Path;
 import java.text.DecimalFormat;
 import java.text.DecimalFormatSymbols;
 import java.time.Duration;
+import java.time.LocalTime;
+import java.time.format.DateTimeParseException;
 import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.Locale;
@@ -16,6 +18,7 @@ import org.evoloop.config.Mistakes;
 import org.evoloop.config.Option;
 import org.evoloop.config.Options;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.function.QuietHours;
 import org.evoloop.journal.Journal;
 import org.evoloop.roomba.camera.CameraException;
 import org.evoloop.roomba.camera.CameraSource;
@@ -25,6 +28,7 @@ import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.Clock;
+import org.evoloop.time.TimeOfWeek;
 import org.evoloop.xmi.ModelFile;
 import org.evoloop.xmi.ModelFiles;
 import org.evoloop.xmi.ModelReference;
@@ -136,14 +140,37 @@ final class ConverterOptions {
                         cameras -> cameras.checkedBy(CameraSource::parse)
                                 .placedBy((folder, text) -> isFile(text) ? Option.resolved(folder, text) : text)
                                 .shownBy(CameraSource::masked))
-                .refined("clean-at", times -> times.checkedBy(Timetable::parse))
-                .refined("quiet-hours", hours -> hours.checkedBy(QuietHours::parse))
+                .refined("clean-at", times -> times.checkedBy(ConverterOptions::cleanAt))
+                .refined("quiet-hours", hours -> hours.checkedBy(ConverterOptions::quietHours))
                 .refined("original", models -> models.placedBy(Option::resolved))
                 .refined("new", models -> models.placedBy(Option::resolved))
                 .alternatives("camera", "start-point")
                 .alternatives("calibration", "field-of-view")
                 .alternatives("models", "original")
                 .alternatives("models", "new");
+    }
+
+    /** @throws IllegalArgumentException if the text has another form */
+    static TimeOfWeek cleanAt(String text) {
+        return TimeOfWeek.parse("--clean-at", text);
+    }
+
+    /**
+     * Parses a text such as {@code 22:00-07:00}.
+     *
+     * @throws IllegalArgumentException if the text has another form
+     */
+    static QuietHours quietHours(String text) {
+        String[] parts = text.split("-", -1);
+        try {
+            if (parts.length == 2) {
+                return QuietHours.between(LocalTime.parse(parts[0].strip()), LocalTime.parse(parts[1].strip()));
+            }
+        } catch (DateTimeParseException wrong) {
+            // Reported below, as for any other text.
+        }
+        throw new IllegalArgumentException(
+                "--quiet-hours is " + text + "; give two times of day, for example 22:00-07:00");
     }
 
     private static boolean isFile(String camera) {
@@ -233,8 +260,8 @@ final class ConverterOptions {
                         .withLimit(seconds(searchLimitSeconds))
                         .atPace(pace))
                 .withSpotWait(seconds(spotWait == null ? USUAL_SPOT_WAIT_SECONDS : spotWait))
-                .withQuietHours(quiet == null ? QuietHours.none() : QuietHours.parse(quiet))
-                .withTimetable(cleanAt.stream().map(Timetable::parse).toList())
+                .withQuietHours(quiet == null ? QuietHours.none() : quietHours(quiet))
+                .withTimetable(cleanAt.stream().map(ConverterOptions::cleanAt).toList())
                 .withJournal(journal == null ? null : Journal.in(journal));
     }
 

@@ -141,9 +141,7 @@ final class EdgeCommand implements Callable<Integer> {
         EdgeShell shell = new EdgeShell(config, knowledge, decider);
         shell.addMonitor(new MonitorEvent(
                 session, models.pair().original(), event -> models.restartsMove(knowledge.getCurrentState(), event)));
-        if (!options.timetable().isEmpty()) {
-            shell.addMonitor(Timetable.monitor(options.timetable()));
-        }
+        RoombaConverter.day(options).timetable().ifPresent(shell::addMonitor);
         shell.addExecute(new ExecuteCommand(session, models.pair().original(), config.clock(), resumption));
         // Whatever moved before another process ended: the robot does not drive on by itself.
         resumption.released();

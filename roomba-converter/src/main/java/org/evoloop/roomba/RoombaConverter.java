@@ -8,10 +8,10 @@ import java.util.function.IntFunction;
 import org.evoloop.converter.EventMonitor;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.SystemEventConverter;
-import org.evoloop.converter.TimetableMonitor;
 import org.evoloop.journal.Journal;
 import org.evoloop.link.Link;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.mqtt.home.DayPlan;
 import org.evoloop.roomba.move.Move;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.session.RoombaSession;
@@ -59,11 +59,8 @@ public record RoombaConverter(
                 session, original, event -> mayMove.get() && models(converter).restartsMove(current(converter), event));
         converter.addMonitor(robot);
         converter.addMonitor(controller);
-        DayPlan day = DayPlan.of(options.quietHours(), options.timetable());
-        TimetableMonitor timetable = day.timetable();
-        if (timetable != null) {
-            converter.addMonitor(timetable);
-        }
+        DayPlan day = day(options);
+        day.timetable().ifPresent(converter::addMonitor);
         converter.addExecute(new ExecuteCommand(session, original, clock, resumption));
         converter.addKnowledge(knowing.apply(options.models()));
         WrittenProperties properties = new WrittenProperties();
@@ -97,7 +94,13 @@ public record RoombaConverter(
                 back -> new Move(session, options.startPoint(), options.move(), back),
                 resumption,
                 new SpotWait(options.spotWait()),
-                options.quietHours());
+                options.quietHours().waiting(RobotEvents.QUIET_OVER));
+    }
+
+    /** Without times there is no timetable: then the robot has its own. */
+    static DayPlan day(RoombaOptions options) {
+        DayPlan day = new DayPlan(options.quietHours());
+        return options.timetable().isEmpty() ? day : day.at(RobotEvents.SCHEDULE, "Clean at", options.timetable());
     }
 
     private static RobotModels models(SystemEventConverter converter) {

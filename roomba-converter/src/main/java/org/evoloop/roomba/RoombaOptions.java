@@ -5,10 +5,12 @@ import static java.util.Objects.requireNonNull;
 import java.time.Duration;
 import java.util.List;
 import java.util.function.Function;
+import org.evoloop.function.QuietHours;
 import org.evoloop.journal.Journal;
 import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.time.Clock;
+import org.evoloop.time.TimeOfWeek;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -22,7 +24,7 @@ public final class RoombaOptions {
     private MoveOptions move = MoveOptions.defaults();
     private Duration spotWait = Duration.ofSeconds(5);
     private QuietHours quietHours = QuietHours.none();
-    private List<Timetable> timetable = List.of();
+    private List<TimeOfWeek> timetable = List.of();
     private @Nullable Journal journal;
 
     private RoombaOptions(RobotModels models, Function<Clock, StartPointSensor> startPoint) {
@@ -79,7 +81,7 @@ public final class RoombaOptions {
     }
 
     /** A copy with times at which the robot must clean. */
-    RoombaOptions withTimetable(List<Timetable> other) {
+    RoombaOptions withTimetable(List<TimeOfWeek> other) {
         RoombaOptions copy = copy();
         copy.timetable = List.copyOf(other);
         return copy;
@@ -105,7 +107,7 @@ public final class RoombaOptions {
         return quietHours;
     }
 
-    List<Timetable> timetable() {
+    List<TimeOfWeek> timetable() {
         return timetable;
     }
 

@@ -6,6 +6,7 @@ import java.time.LocalTime;
 import java.time.ZoneId;
 import java.util.concurrent.TimeUnit;
 import org.evoloop.RoombaPair;
+import org.evoloop.function.QuietHours;
 import org.evoloop.mqtt.Mosquitto;
 import org.evoloop.mqtt.Watcher;
 import org.evoloop.roomba.move.MoveOptions;

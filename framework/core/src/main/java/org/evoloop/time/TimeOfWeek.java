@@ -1,8 +1,7 @@
-package org.evoloop.roomba;
+package org.evoloop.time;
 
 import java.time.DayOfWeek;
 import java.time.LocalTime;
-import java.time.ZoneId;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -10,38 +9,39 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import org.evoloop.converter.TimetableMonitor;
 
 /**
- * A time at which the robot must clean, as its owner writes it: {@code 09:00} for every day, {@code MON,FRI 09:00} for
- * some days.
+ * A time at which something happens, as people write it: {@code 09:00} for every day, {@code MON,FRI 09:00} for some days.
  *
+ * <p>Threading: immutable.
+ *
+ * @param time of the day
  * @param days empty for every day
+ * @since 0.1
  */
-record Timetable(LocalTime time, List<DayOfWeek> days) {
+public record TimeOfWeek(LocalTime time, List<DayOfWeek> days) {
     private static final Pattern TEXT =
             Pattern.compile("(?:(?<days>[A-Za-z,]+)\\s+)?(?<time>([01]\\d|2[0-3]):[0-5]\\d)");
 
-    /** @throws IllegalArgumentException if the text, of the option, has another form */
-    static Timetable parse(String text) {
-        return parse("--clean-at", text);
+    public TimeOfWeek {
+        days = List.copyOf(days);
     }
 
     /**
      * Reads a time.
      *
-     * @param name of what is set, for messages
+     * @param name of what takes it, for messages
      * @throws IllegalArgumentException if the text has another form
      */
-    static Timetable parse(String name, String text) {
+    public static TimeOfWeek parse(String name, String text) {
         Matcher parts = TEXT.matcher(text.strip());
         if (parts.matches()) {
             String names = parts.group("days");
             List<Optional<DayOfWeek>> days = names == null
                     ? List.of()
-                    : Arrays.stream(names.split(",", -1)).map(Timetable::day).toList();
+                    : Arrays.stream(names.split(",", -1)).map(TimeOfWeek::day).toList();
             if (days.stream().allMatch(Optional::isPresent)) {
-                return new Timetable(
+                return new TimeOfWeek(
                         LocalTime.parse(parts.group("time")),
                         days.stream().flatMap(Optional::stream).toList());
             }
@@ -56,18 +56,7 @@ record Timetable(LocalTime time, List<DayOfWeek> days) {
                 .findFirst();
     }
 
-    /** A controller that raises {@code schedule} at these times. */
-    static TimetableMonitor monitor(List<Timetable> entries) {
-        TimetableMonitor monitor = new TimetableMonitor("Timetable", ZoneId.systemDefault());
-        entries.forEach(entry -> entry.addTo(monitor));
-        return monitor;
-    }
-
-    void addTo(TimetableMonitor monitor) {
-        monitor.at(time, RobotEvents.SCHEDULE, days.toArray(DayOfWeek[]::new));
-    }
-
-    /** As its owner writes it. */
+    /** As people write it. */
     @Override
     public String toString() {
         String names = days.stream().map(day -> day.name().substring(0, 3)).collect(Collectors.joining(","));

@@ -1,21 +1,19 @@
-package org.evoloop.roomba;
+package org.evoloop.function;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.time.LocalTime;
 import java.time.ZoneId;
 import java.time.ZonedDateTime;
-import java.time.format.DateTimeParseException;
-import org.evoloop.function.NewFunction;
-import org.evoloop.function.Visit;
 
 /**
- * The hours of the day in which the robot must not start by itself, and the new function that waits until they end: it
- * then raises {@code quietOver}, or at once outside these hours. The owner may change them meanwhile, which counts within
- * a minute.
+ * The hours of the day in which a system must not start something by itself. Its owner may change them while it runs.
  *
  * <p>Threading: thread-safe.
+ *
+ * @since 0.1
  */
-final class QuietHours implements NewFunction {
+public final class QuietHours {
     private static final Duration LOOK = Duration.ofMinutes(1);
 
     private final ZoneId zone;
@@ -35,48 +33,47 @@ final class QuietHours implements NewFunction {
     }
 
     /** No quiet hours. */
-    static QuietHours none() {
-        return new QuietHours(LocalTime.MIDNIGHT, LocalTime.MIDNIGHT);
+    public static QuietHours none() {
+        return between(LocalTime.MIDNIGHT, LocalTime.MIDNIGHT);
     }
 
     /**
-     * Parses a text such as {@code 22:00-07:00}.
+     * Quiet hours in this computer's time zone.
      *
-     * @throws IllegalArgumentException if the text has another form
+     * @param from their start
+     * @param until their end, exclusive, on the next day if that is earlier; the same as {@code from} for none
      */
-    static QuietHours parse(String text) {
-        String[] parts = text.split("-", -1);
-        try {
-            if (parts.length == 2) {
-                return new QuietHours(LocalTime.parse(parts[0].strip()), LocalTime.parse(parts[1].strip()));
-            }
-        } catch (DateTimeParseException wrong) {
-            // Reported below, as for any other text.
-        }
-        throw new IllegalArgumentException(
-                "--quiet-hours is " + text + "; give two times of day, for example 22:00-07:00");
+    public static QuietHours between(LocalTime from, LocalTime until) {
+        return new QuietHours(from, until);
     }
 
-    LocalTime from() {
+    /** Their start. */
+    public LocalTime from() {
         return hours.from();
     }
 
-    LocalTime until() {
+    /** Their end. */
+    public LocalTime until() {
         return hours.until();
     }
 
     /** Changes their start. */
-    void begin(LocalTime from) {
+    public void begin(LocalTime from) {
         hours = new Hours(from, hours.until());
     }
 
     /** Changes their end. */
-    void end(LocalTime until) {
+    public void end(LocalTime until) {
         hours = new Hours(hours.from(), until);
     }
 
+    /** Whether it is quiet now. */
+    public boolean isQuiet(Instant now) {
+        return !left(now.atZone(zone)).isZero();
+    }
+
     /** The remaining time; zero outside the quiet hours. */
-    Duration left(ZonedDateTime now) {
+    public Duration left(ZonedDateTime now) {
         Hours known = hours;
         LocalTime from = known.from();
         LocalTime until = known.until();
@@ -91,14 +88,21 @@ final class QuietHours implements NewFunction {
         return Duration.between(now, end.isAfter(now) ? end : now.plusDays(1).with(until));
     }
 
-    @Override
-    public void run(Visit visit) {
+    /**
+     * A function that waits until they end, and finishes with {@code event}; at once outside these hours. That they were
+     * changed meanwhile counts within a minute.
+     */
+    public NewFunction waiting(String event) {
+        return visit -> look(visit, event);
+    }
+
+    private void look(Visit visit, String event) {
         Duration left = left(visit.clock().wallTime().atZone(zone));
         if (left.compareTo(LOOK) <= 0) {
-            visit.finishAfter(left, RobotEvents.QUIET_OVER);
+            visit.finishAfter(left, event);
         } else {
             visit.progress("waiting until " + until());
-            visit.after(LOOK, () -> run(visit));
+            visit.after(LOOK, () -> look(visit, event));
         }
     }
 }
