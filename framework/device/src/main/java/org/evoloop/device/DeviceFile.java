@@ -1,34 +1,27 @@
 package org.evoloop.device;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Collection;
-import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.BiConsumer;
 import org.evoloop.check.timing.TimeRules;
 import org.evoloop.config.OptionLine;
 import org.evoloop.config.Options;
-import org.evoloop.converter.Effect;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.device.file.DeviceFileException;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Problems;
 import org.evoloop.device.file.Section;
-import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.program.ProgramModels;
 import org.evoloop.statemachine.Event;
 import org.evoloop.testkit.SimulatedDevice;
 import org.evoloop.xmi.ModelReference;
 import org.jspecify.annotations.Nullable;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /**
  * A converter as a file: its models, how device and controller are connected, and its functions.
@@ -40,8 +33,6 @@ import org.slf4j.LoggerFactory;
  * @since 0.1
  */
 public final class DeviceFile {
-    private static final Logger LOG = LoggerFactory.getLogger(DeviceFile.class);
-
     /** Whatever has one of these keys is a rule, and no short form. */
     private static final Set<String> RULE_KEYS = Set.of(
             "from",
@@ -78,9 +69,10 @@ public final class DeviceFile {
     private final List<OptionLine> options;
     private final LearnSection learning;
     private final HomeSection home;
+    private final DaySection day;
     private final @Nullable Connection confirming;
 
-    private DeviceFile(Path path, Reader reader, FileModels models, ModelReader read, Connections connections) {
+    private DeviceFile(Path path, SectionReader reader, FileModels models, ModelReader read, Connections connections) {
         this.path = path;
         this.root = reader.file.node();
         this.name = models.converter();
@@ -95,6 +87,7 @@ public final class DeviceFile {
         this.options = List.copyOf(reader.options);
         this.learning = reader.learning;
         this.home = reader.home;
+        this.day = reader.day;
         this.confirming = reader.confirming;
     }
 
@@ -114,7 +107,7 @@ public final class DeviceFile {
         String name = file.need("converter").map(Node.Text::value).orElse("");
         FileModels models = new FileModels(name, read.known(), problems);
         Connections connections = Connections.read(file, models);
-        Reader reader = new Reader(file, models, connections);
+        SectionReader reader = new SectionReader(file, models, connections);
         reader.read(programOptions);
         models.checkAll(file);
         reader.home.check(models.models());
@@ -144,9 +137,9 @@ public final class DeviceFile {
             }
         }
         problems.throwIfAny();
-        Reader over = new Reader(
+        SectionReader over = new SectionReader(
                 now, new FileModels(name, next.references.isEmpty() ? null : next.pair, problems), connections);
-        over.functionsAndEffects();
+        over.functionsAndEffects(day);
         problems.throwIfAny();
         return new DeviceFile(next, over, connections);
     }
@@ -156,7 +149,7 @@ public final class DeviceFile {
     }
 
     /** @param over whose functions use {@code opened} */
-    private DeviceFile(DeviceFile next, Reader over, Connections opened) {
+    private DeviceFile(DeviceFile next, SectionReader over, Connections opened) {
         this.path = next.path;
         this.root = next.root;
         this.name = next.name;
@@ -171,6 +164,7 @@ public final class DeviceFile {
         this.options = next.options;
         this.learning = next.learning;
         this.home = next.home;
+        this.day = over.day;
         this.confirming = next.confirming;
     }
 
@@ -247,6 +241,11 @@ public final class DeviceFile {
         return home;
     }
 
+    /** When it raises events by itself, and when it is quiet. */
+    DaySection day() {
+        return day;
+    }
+
     /** The events that are sent to the device. */
     public Set<String> sent() {
         return Set.copyOf(models.allSent());
@@ -316,181 +315,5 @@ public final class DeviceFile {
         Node.Text values = new Node.Text(pairs.node().line(), "values", true);
         return new Section(
                 pairs.name(), new Node.Entries(values.line(), Map.of(values, pairs.node())), pairs.problems());
-    }
-
-    /** Reads the sections of a file that use its connections. */
-    private static final class Reader {
-        private final Section file;
-        private final FileModels models;
-        private final Connections connections;
-        private final FunctionReader functionReader;
-        private final Map<String, FileKnowledge.Function> functions = new LinkedHashMap<>();
-        private final Map<String, Effect.OfEvent> effects = new LinkedHashMap<>();
-        private final Map<String, Integer> costs = new LinkedHashMap<>();
-        private final Set<String> doNotPass = new LinkedHashSet<>();
-        private final List<Scenario> scenarios = new ArrayList<>();
-        private final List<OptionLine> options = new ArrayList<>();
-        private LearnSection learning = LearnSection.NONE;
-        private HomeSection home = HomeSection.NONE;
-        private @Nullable Connection confirming;
-        private final Guards guards;
-        private final FileKnowledge.Content content;
-
-        Reader(Section file, FileModels models, Connections connections) {
-            this.file = file;
-            this.models = models;
-            this.connections = connections;
-            this.functionReader = new FunctionReader(models, connections);
-            this.guards = Guards.read(file, models);
-            this.content = new FileKnowledge.Content(functions, guards.all(), effects, costs, doNotPass);
-        }
-
-        void read(Options programOptions) {
-            file.section("device").ifPresent(this::device);
-            file.section("controller").ifPresent(controller -> {
-                rules(controller, "press", Connection::press);
-                controller.done();
-            });
-            functionsAndEffects();
-            file.section("learn").ifPresent(learn -> learning = LearnSection.read(learn, models));
-            file.section("home-assistant").ifPresent(section -> home = HomeSection.read(section, models));
-            file.section("scenarios").ifPresent(all -> scenarios.addAll(Scenario.read(all, models, home)));
-            programOptions.names().forEach(this::option);
-            programOptions.check(options, file.problems()::at);
-            file.done();
-        }
-
-        void functionsAndEffects() {
-            file.named("functions").forEach((state, section) -> {
-                models.newState(state);
-                functionReader.function(state, section).ifPresent(function -> functions.put(state.value(), function));
-            });
-            file.section("effects").ifPresent(all -> all.keys().forEach(text -> effect(all, text)));
-        }
-
-        private void option(String option) {
-            Node found = file.any(option).orElse(null);
-            List<Node.Text> values = file.texts(option);
-            if (found != null && !values.isEmpty()) {
-                options.add(new OptionLine(
-                        option,
-                        values.stream().map(Node.Text::value).toList(),
-                        found instanceof Node.Items,
-                        file.problems().file(),
-                        found.line()));
-            }
-        }
-
-        private void device(Section device) {
-            device.section("send").ifPresent(this::sends);
-            rules(device, "state", ofDevice(Connection::state));
-            rules(device, "does", ofDevice(Connection::does));
-            device.named("readings").forEach((reading, rule) -> {
-                models.declareReading(reading);
-                Connection from = connections.named(rule, "from");
-                if (from != null) {
-                    from.useForDevice();
-                    from.reading(reading, rule);
-                    rule.done();
-                }
-            });
-            device.texts("do-not-pass").forEach(state -> doNotPass.add(models.deviceState(state)));
-            confirmed(device);
-            connections.all().forEach(connection -> connection.device(device));
-            if (connections.areKnown()) {
-                device.done();
-            }
-        }
-
-        /** One connection may tell what becomes of what is sent over others, and one be asked where several could. */
-        private void confirmed(Section device) {
-            naming(device, "ask", "to").ifPresent(ask -> connections.named(ask, "to"));
-            naming(device, "confirmed", "from").ifPresent(confirmed -> {
-                confirming = connections.named(confirmed, "from");
-                if (confirming != null) {
-                    confirming.confirms(confirmed);
-                }
-            });
-        }
-
-        /** The section if it has this key; otherwise whether anybody knows it is left open. */
-        private static Optional<Section> naming(Section device, String section, String key) {
-            return device.node().entries().entrySet().stream()
-                    .filter(each -> each.getKey().value().equals(section))
-                    .filter(each -> each.getValue() instanceof Node.Entries pairs
-                            && pairs.entries().keySet().stream()
-                                    .anyMatch(has -> has.value().equals(key)))
-                    .findFirst()
-                    .flatMap(found -> device.section(section));
-        }
-
-        private void sends(Section send) {
-            for (Node.Text event : send.keys()) {
-                models.sent(event);
-                Node how = send.any(event.value()).orElseThrow();
-                Section asked = how instanceof Node.Entries
-                        ? send.section(event.value()).orElseThrow()
-                        : shortForm(send, event, how);
-                Connection to = asked == null ? null : connections.named(asked, "to");
-                if (asked != null && to != null) {
-                    to.useForDevice();
-                    asked.number("cost", 1, DeviceEvents.MAX_COST).ifPresent(cost -> costs.put(event.value(), cost));
-                    to.send(event, asked);
-                    asked.done();
-                }
-            }
-        }
-
-        /** {@code power: PWR} as {@code power: {line: PWR}}, for the only connection. */
-        private @Nullable Section shortForm(Section send, Node.Text event, Node how) {
-            if (!(how instanceof Node.Text text)) {
-                send.problems().at(how, "how " + event + " is sent is " + how.kind() + "; write a text or a mapping");
-                return null;
-            }
-            Section empty =
-                    new Section("device.send." + event, new Node.Entries(how.line(), Map.of()), send.problems());
-            Connection only = connections.named(empty, "to");
-            String key = only == null ? null : only.shortSend();
-            if (only != null && key == null) {
-                send.problems()
-                        .at(how, "how " + event + " is sent takes a mapping, such as {to: " + only.name() + ", ...}");
-            }
-            return key == null
-                    ? null
-                    : new Section(
-                            "device.send." + event,
-                            new Node.Entries(how.line(), Map.of(new Node.Text(how.line(), key, true), text)),
-                            send.problems());
-        }
-
-        private void rules(Section parent, String key, BiConsumer<Connection, Section> rule) {
-            DeviceFile.rules(parent, key).forEach(each -> rule(each, rule));
-        }
-
-        private static BiConsumer<Connection, Section> ofDevice(BiConsumer<Connection, Section> rule) {
-            return (connection, section) -> {
-                connection.useForDevice();
-                rule.accept(connection, section);
-            };
-        }
-
-        private void rule(Section section, BiConsumer<Connection, Section> rule) {
-            Connection from = connections.named(section, "from");
-            if (from != null) {
-                rule.accept(from, section);
-                section.done();
-            }
-        }
-
-        private void effect(Section all, Node.Text text) {
-            all.section(text.value()).ifPresent(section -> {
-                models.effect(text);
-                Action.Do action = functionReader.outward(section);
-                section.done();
-                if (action != null) {
-                    effects.put(text.value(), values -> action.perform(values, what -> LOG.info("{}", what)));
-                }
-            });
-        }
     }
 }

@@ -9,6 +9,7 @@ import org.evoloop.config.Options;
 import org.evoloop.console.ConsoleCommand;
 import org.evoloop.converter.DeviceLink;
 import org.evoloop.mqtt.MqttOptions;
+import org.evoloop.mqtt.home.HomeSetting;
 import org.evoloop.page.PageOptions;
 import org.evoloop.program.Program;
 import org.evoloop.program.ProgramModels;
@@ -57,7 +58,7 @@ public final class DeviceProgram {
      * @return the exit status for the process
      */
     public static int help() {
-        return Program.named("FILE.yaml", "Runs the converter of a device file.")
+        return Program.named("evoloop run FILE.yaml", "Runs the converter of a device file.")
                 .options(Options.of(SIMULATE))
                 .run("--help");
     }
@@ -76,7 +77,11 @@ public final class DeviceProgram {
         Reload reload = new Reload(file, setup.converter(), open(setup));
         setup.command(reload.command());
         setup.knowledge(reload::knowledge);
-        setup.home(file.home()::addTo);
+        List<HomeSetting> settings = file.day().addTo(setup.converter());
+        setup.home(home -> {
+            file.home().addTo(home);
+            settings.forEach(home::setting);
+        });
     }
 
     /** Adds what is at the other end; the links that were added. */

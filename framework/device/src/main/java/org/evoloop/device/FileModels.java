@@ -105,6 +105,26 @@ public final class FileModels {
         return event.value();
     }
 
+    /** An event that is raised at times of day. */
+    String scheduled(Node.Text event) {
+        pressed.add(event.value());
+        return raisable(event, "scheduled");
+    }
+
+    /** An event that a controller can raise. */
+    String raisable(Node.Text event, String to) {
+        Set<String> known = new LinkedHashSet<>();
+        if (pair != null) {
+            known.addAll(events(pair.evolved().triggers()));
+            known.addAll(events(pair.original().triggers()));
+            known.removeAll(events(pair.original().spontaneous()));
+            known.removeAll(devicesOwn);
+        }
+        known.addAll(sent);
+        require(event, "an event that can be " + to, known);
+        return event.value();
+    }
+
     /** A state of the device. */
     public String deviceState(Node.Text state) {
         reported.add(state.value());

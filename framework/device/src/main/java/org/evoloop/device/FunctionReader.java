@@ -24,18 +24,22 @@ final class FunctionReader {
 
     private final FileModels models;
     private final Connections connections;
+    private final DaySection day;
 
-    FunctionReader(FileModels models, Connections connections) {
+    FunctionReader(FileModels models, Connections connections, DaySection day) {
         this.models = models;
         this.connections = connections;
+        this.day = day;
     }
 
     /** The function of {@code state}; empty if it cannot be used, which is noted. */
     Optional<FileKnowledge.Function> function(Node.Text state, Section section) {
         Optional<FileKnowledge.Function> function = section.has("elsewhere")
                 ? elsewhere(state, section)
-                : Optional.of(actions(state, section))
-                        .map(actions -> new FileKnowledge.Function(actions, actions.sends()));
+                : section.has(DaySection.WAITING)
+                        ? day.waiting(section, event -> models.raisedIn(state, event))
+                        : Optional.of(actions(state, section))
+                                .map(actions -> new FileKnowledge.Function(actions, actions.sends()));
         section.done();
         return function;
     }

@@ -3,7 +3,6 @@ package org.evoloop.device;
 import java.time.LocalTime;
 import java.time.ZoneId;
 import java.time.ZonedDateTime;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -71,18 +70,8 @@ final class Guards {
     }
 
     private Predicate<Values> between(Section section) {
-        List<LocalTime> times = new ArrayList<>();
-        section.texts("between").forEach(text -> {
-            try {
-                times.add(Section.timeOfDay(text.value()));
-            } catch (IllegalArgumentException wrong) {
-                section.problems().at(text, String.valueOf(wrong.getMessage()));
-            }
-        });
-        if (times.size() != 2 && section.texts("between").size() != 2) {
-            section.problem(section.name() + ".between takes two times of day, such as [\"22:00\", \"06:00\"]");
-        }
-        if (times.size() != 2) {
+        List<LocalTime> times = section.between("between");
+        if (times.isEmpty()) {
             return values -> false;
         }
         LocalTime from = times.get(0);

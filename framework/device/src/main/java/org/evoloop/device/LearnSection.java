@@ -11,7 +11,6 @@ import java.util.Optional;
 import java.util.Set;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.Section;
-import org.jspecify.annotations.Nullable;
 
 /**
  * What a device file says about learning the device: how it is brought to its beginning, and what must not be done.
@@ -80,16 +79,6 @@ public record LearnSection(
             }
             limits.done();
         });
-        List<LocalTime> hours = new ArrayList<>();
-        learn.texts("between").forEach(time -> {
-            LocalTime read = time(learn, time);
-            if (read != null) {
-                hours.add(read);
-            }
-        });
-        if (hours.size() == 1) {
-            learn.problem("learn.between takes two times of day, such as [\"08:00\", \"20:00\"]");
-        }
         LearnSection section = new LearnSection(
                 home,
                 reset,
@@ -98,7 +87,7 @@ public record LearnSection(
                 neverIn,
                 learn.number("presses-an-hour", 1, MOST_PRESSES),
                 stops,
-                hours);
+                learn.between("between"));
         learn.done();
         return section;
     }
@@ -107,15 +96,6 @@ public record LearnSection(
         learn.problems()
                 .requireOneOf(event, models.allSent(), "'" + event + "' is not an event that is sent to the device");
         return event.value();
-    }
-
-    private static @Nullable LocalTime time(Section learn, Node.Text time) {
-        try {
-            return Section.timeOfDay(time.value());
-        } catch (IllegalArgumentException wrong) {
-            learn.problems().at(time, String.valueOf(wrong.getMessage()));
-            return null;
-        }
     }
 
     private static Double number(String text) {

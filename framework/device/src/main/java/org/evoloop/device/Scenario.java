@@ -209,11 +209,13 @@ public record Scenario(String name, List<Line> steps) {
         ManualClock clock = new ManualClock();
         Told told = new Told();
         file.guards().attach(clock, List.of(told));
-        try (ConverterHarness converter = ConverterHarness.of(file.knowledge(file.models()))
+        ConverterHarness.Builder parts = ConverterHarness.of(file.knowledge(file.models()))
                 .with(device)
                 .with(file.controller("Controls"))
-                .clock(clock)
-                .start()) {
+                .with(file.day().analyze(clock))
+                .clock(clock);
+        file.day().plan().timetable().ifPresent(parts::with);
+        try (ConverterHarness converter = parts.start()) {
             Running running = new Running(file, converter, device, clock, told);
             for (Line step : steps) {
                 try {

@@ -73,6 +73,8 @@ class DeviceFileFuzzTest {
                           readings: {t: {line: "(.)", unit: C}}
                         controller: {press: [{values: {a: timed}}, {line: "b(?<n>.)", event: power}]}
                         functions: {Timed: {every: 1 s, send: power, at: [{time: "07:30", say: x}], on-exit: {to: lamp, line: l}}}
+                        schedule: {power: ["09:00", "MON,FRI 18:30"]}
+                        quiet: {between: ["22:00", "07:00"], refuse: [timed]}
                         scenarios: {s: [{press: timed, state: Timed}, {after: 2 s, sent: [power]}]}
                         """,
                         "converter: a\nconnections: {b: {lines: \"tcp://h:1\"}}\ndevice: {send: {e: E}}\n",

@@ -213,6 +213,23 @@ public final class Section {
         }
     }
 
+    /** Two times of day between which something holds; none if {@code key} is missing, or has something else. */
+    public List<LocalTime> between(String key) {
+        List<Node.Text> texts = texts(key);
+        List<LocalTime> times = new ArrayList<>();
+        for (Node.Text text : texts) {
+            try {
+                times.add(timeOfDay(text.value()));
+            } catch (IllegalArgumentException wrong) {
+                problems.at(text, String.valueOf(wrong.getMessage()));
+            }
+        }
+        if (has(key) && texts.size() != 2) {
+            problem(path(key) + " takes two times of day, such as [\"22:00\", \"06:00\"]");
+        }
+        return texts.size() == 2 && times.size() == 2 ? times : List.of();
+    }
+
     /** The one of {@code keys} that is there; none and more than one are mistakes. */
     public Optional<String> oneOf(Collection<String> keys) {
         return oneOf(keys, "");

@@ -28,6 +28,7 @@ import org.evoloop.statemachine.State;
  */
 public final class WrittenFile {
     private static final List<String> STEPS = List.of("on-enter", "steps");
+    private static final Set<String> OF_THE_DAY = Set.of("schedule", "quiet");
 
     private final DeviceFile file;
     private final Section root;
@@ -57,6 +58,12 @@ public final class WrittenFile {
                         option.line(),
                         "'" + option.name() + "' is an option, which a Java project takes on its command line, or from"
                                 + " --config; remove it here"));
+        root.keys().stream()
+                .filter(key -> OF_THE_DAY.contains(key.value()))
+                .forEach(key -> problems.at(
+                        key,
+                        "'" + key + "' is not written in Java; leave it out, and add a TimetableMonitor, or an"
+                                + " EventAnalyze, to the project"));
         WrittenFile written = new WrittenFile(file, root);
         problems.throwIfAny();
         return written;
