@@ -81,17 +81,31 @@ final class CommandSet {
             if (!command.accepts((press == null ? arguments : PressAction.named(arguments)).size())) {
                 throw new IllegalArgumentException("usage: " + command.usage());
             }
-            ByteArrayOutputStream results = new ByteArrayOutputStream();
-            try {
-                PrintStream into = new PrintStream(results, true, StandardCharsets.UTF_8);
+            // In one piece, since other threads print meanwhile.
+            try (PrintStream into = new PrintStream(new Pieces(out), false, StandardCharsets.UTF_8)) {
                 if (press == null) {
                     command.action().run(arguments, into);
                 } else {
                     press.run(arguments, into, waiting);
                 }
-            } finally {
-                // In one piece, since other threads print meanwhile.
-                out.print(results.toString(StandardCharsets.UTF_8));
+            }
+        }
+    }
+
+    /** Passes on what it is given when it is flushed, in one piece. */
+    private static final class Pieces extends ByteArrayOutputStream {
+        private final PrintStream to;
+
+        Pieces(PrintStream to) {
+            this.to = to;
+        }
+
+        @Override
+        public synchronized void flush() {
+            if (size() > 0) {
+                to.print(toString(StandardCharsets.UTF_8));
+                to.flush();
+                reset();
             }
         }
     }

@@ -128,6 +128,15 @@ public record ConsoleCommand(
         return new ConsoleCommand(usage, help, action, before -> List.of(), true);
     }
 
+    /**
+     * Prints a line before the command has ended, for one that has to wait. What it prints otherwise appears in one piece
+     * once it has ended.
+     */
+    public static void sayAtOnce(String line, PrintStream out) {
+        out.println(Names.inOneLine(line));
+        out.flush();
+    }
+
     /** A copy with another completion. */
     public ConsoleCommand completing(Function<List<String>, Collection<String>> words) {
         return new ConsoleCommand(usage, help, action, words, offered);

@@ -76,7 +76,7 @@ final class EvolveCommands {
     }
 
     private void evolve(List<String> arguments, PrintStream out) {
-        Evolution evolution = asked(arguments);
+        Evolution evolution = asked(arguments).tellingWaits(why -> ConsoleCommand.sayAtOnce(why, out));
         say(converter.evolve(evolution), evolution.probation(), out);
     }
 

@@ -4,6 +4,7 @@ import static java.util.Objects.requireNonNull;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.function.Consumer;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
 import org.evoloop.migration.Carried;
@@ -26,6 +27,7 @@ public final class Evolution {
     private final Duration idle;
     private final Probation probation;
     private final boolean wayBack;
+    private final Consumer<String> waits;
 
     /**
      * The result of an evolution.
@@ -56,13 +58,15 @@ public final class Evolution {
             Duration deadline,
             Duration idle,
             Probation probation,
-            boolean wayBack) {
+            boolean wayBack,
+            Consumer<String> waits) {
         this.next = requireNonNull(next, "the next knowledge is null");
         this.mapping = requireNonNull(mapping, "the mapping is null");
         this.deadline = positive(deadline, "the deadline");
         this.idle = positive(idle, "the idle time");
         this.probation = requireNonNull(probation, "the probation is null");
         this.wayBack = wayBack;
+        this.waits = requireNonNull(waits, "what is told of a wait is null");
     }
 
     private static Duration positive(Duration duration, String what) {
@@ -74,32 +78,37 @@ public final class Evolution {
 
     /** An evolution to {@code next} that maps everything by name, within {@link #USUAL_DEADLINE}, without probation. */
     public static Evolution to(StateKnowledge next) {
-        return new Evolution(next, Mapping.byName(), USUAL_DEADLINE, Duration.ZERO, Probation.NONE, true);
+        return new Evolution(next, Mapping.byName(), USUAL_DEADLINE, Duration.ZERO, Probation.NONE, true, why -> {});
     }
 
     /** A copy with this mapping for states, timers and functions that are not mapped by name. */
     public Evolution withMapping(Mapping names) {
-        return new Evolution(next, names, deadline, idle, probation, wayBack);
+        return new Evolution(next, names, deadline, idle, probation, wayBack, waits);
     }
 
     /** A copy with this deadline. */
     public Evolution withDeadline(Duration time) {
-        return new Evolution(next, mapping, time, idle, probation, wayBack);
+        return new Evolution(next, mapping, time, idle, probation, wayBack, waits);
     }
 
     /** A copy that takes over as soon as nothing has happened for this time. */
     public Evolution whenIdle(Duration time) {
-        return new Evolution(next, mapping, deadline, time, probation, wayBack);
+        return new Evolution(next, mapping, deadline, time, probation, wayBack, waits);
     }
 
     /** A copy that is rolled back if anything goes wrong during the probation {@code time}. */
     public Evolution withProbation(Probation time) {
-        return new Evolution(next, mapping, deadline, idle, time, wayBack);
+        return new Evolution(next, mapping, deadline, idle, time, wayBack, waits);
     }
 
     /** A copy that is also allowed if some states of the next models have no way back to the present ones. */
     public Evolution withoutWayBack() {
-        return new Evolution(next, mapping, deadline, idle, probation, false);
+        return new Evolution(next, mapping, deadline, idle, probation, false, waits);
+    }
+
+    /** A copy that tells, once, why it has to wait if it is not possible at once. */
+    public Evolution tellingWaits(Consumer<String> told) {
+        return new Evolution(next, mapping, deadline, idle, probation, wayBack, told);
     }
 
     /** The knowledge to which it leads, with its models. */
@@ -125,6 +134,11 @@ public final class Evolution {
     /** How long it is on trial. */
     public Probation probation() {
         return probation;
+    }
+
+    /** Is told why it has to wait. */
+    public Consumer<String> waits() {
+        return waits;
     }
 
     /** Whether every state of the next models needs a way back to the present ones. */

@@ -61,7 +61,8 @@ final class Reload {
         next.guards().attach(converter.clock(), links);
         Evolution.Result result = converter.evolve(Evolution.to(next.knowledge(next.models()))
                 .withMapping(mapping(before, next))
-                .withoutWayBack());
+                .withoutWayBack()
+                .tellingWaits(why -> ConsoleCommand.sayAtOnce(why, out)));
         read.push(next);
         out.println(
                 Names.inOneLine("evolved to '" + result.model() + "': " + result.before() + " is " + result.after()));

@@ -181,6 +181,7 @@ final class Evolver {
     private Evolution.Result evolve(ConverterShell shell, Evolution evolution, boolean back) {
         long begun = config.clock().nanoTime();
         Attempt attempt = new Attempt(shell, evolution, back);
+        boolean told = false;
         while (true) {
             changes.change(attempt);
             if (attempt.result != null) {
@@ -196,6 +197,13 @@ final class Evolver {
                                 : "") + ": "
                         + attempt.hindrance
                         + (attempt.stuck ? "; no event leads to where it is possible" : ""));
+            }
+            if (!told) {
+                told = true;
+                evolution
+                        .waits()
+                        .accept(attempt.hindrance + "; waiting for up to "
+                                + evolution.deadline().toSeconds() + " s");
             }
             try {
                 shell.driver().awaitEnded(LOOK_MILLIS);
