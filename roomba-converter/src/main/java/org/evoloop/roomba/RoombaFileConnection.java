@@ -134,6 +134,11 @@ final class RoombaFileConnection extends Connection {
     }
 
     @Override
+    protected boolean asksByItself() {
+        return true;
+    }
+
+    @Override
     protected Parts make(SystemEventConverter converter) throws IOException {
         RobotGuard guard = guarded ? guard() : null;
         IntFunction<Link> cable = RoombaCommand.cable(port);

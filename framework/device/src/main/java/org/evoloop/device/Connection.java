@@ -107,6 +107,11 @@ public abstract class Connection {
         throw new IllegalStateException(name + " does not tell what became of an event");
     }
 
+    /** Whether it asks for the device's state without being told to. */
+    protected boolean asksByItself() {
+        return false;
+    }
+
     /** Something that a function or an effect does over this connection; it must not change the device's state. */
     public @Nullable Outward outward(Section action) {
         refuse(action, "is only for the device's events");

@@ -270,6 +270,14 @@ public final class DeviceFile {
         return connections.all();
     }
 
+    /** Whether the device is never asked for its state: then a person has to say where it is. */
+    boolean isNeverAsked() {
+        Section device =
+                new Section("", root, new Problems(path)).section("device").orElse(null);
+        return (device == null || !device.has("ask"))
+                && connections.all().stream().noneMatch(Connection::asksByItself);
+    }
+
     /** The connection that tells what becomes of all that is sent; null if each tells that of its own. */
     @Nullable
     Connection confirming() {
@@ -309,6 +317,11 @@ public final class DeviceFile {
             return List.of(isRule ? all : wrapped(all));
         }
         return parent.listed(key);
+    }
+
+    /** Whether a rule of an entity means its event each time, whatever is reported: it says no more than the event. */
+    public static boolean isAnyReport(Section rule) {
+        return rule.has("event") && !rule.has("values") && !rule.has("pattern") && !rule.has("ranges");
     }
 
     private static Section wrapped(Section pairs) {

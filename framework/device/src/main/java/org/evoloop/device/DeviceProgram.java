@@ -99,6 +99,9 @@ public final class DeviceProgram {
                     .map(broker -> broker.id(file.name()))
                     .ifPresent(id -> file.connections().forEach(connection -> connection.shownAs(id)));
             links = Wiring.add(file, setup.converter(), parts -> add(parts, setup));
+            if (file.isNeverAsked()) {
+                setup.command(FoundMonitor.command(setup.converter()));
+            }
         }
         file.guards().attach(setup.clock(), links);
         return links;

@@ -26,6 +26,9 @@ import org.slf4j.LoggerFactory;
 final class SectionReader {
     private static final Logger LOG = LoggerFactory.getLogger(SectionReader.class);
 
+    /** The keys by which a rule says where a message comes from. */
+    private static final List<String> SOURCES = List.of("from", "topic", "json", "entity", "attribute", "event-type");
+
     final Section file;
     private final FileModels models;
     private final Connections connections;
@@ -101,6 +104,7 @@ final class SectionReader {
         device.section("send").ifPresent(this::sends);
         rules(device, "state", ofDevice(Connection::state));
         rules(device, "does", ofDevice(Connection::does));
+        requireOneMeaning(device);
         device.named("readings").forEach((reading, rule) -> {
             models.declareReading(reading);
             Connection from = connections.named(rule, "from");
@@ -116,6 +120,37 @@ final class SectionReader {
         if (connections.areKnown()) {
             device.done();
         }
+    }
+
+    /** The first rule for a message is used: as a state and an event, it would only be the state. */
+    private static void requireOneMeaning(Section device) {
+        Map<List<String>, Node.Text> states = messages(device, "state");
+        messages(device, "does").forEach((message, text) -> {
+            Node.Text state = states.get(message);
+            if (state != null) {
+                device.problems()
+                        .at(
+                                text,
+                                "'" + text + "' is also in device.state, in line " + state.line()
+                                        + ", and would only be heard as a state; leave it out in one of them");
+            }
+        });
+    }
+
+    /** The messages under {@code key} that are written as they are, by where they come from. */
+    private static Map<List<String>, Node.Text> messages(Section device, String key) {
+        Map<List<String>, Node.Text> messages = new LinkedHashMap<>();
+        for (Section rule : DeviceFile.rules(device, key)) {
+            if (rule.any("values").orElse(null) instanceof Node.Entries values) {
+                for (Node.Text text : values.entries().keySet()) {
+                    List<String> message = new ArrayList<>(List.of(text.value()));
+                    SOURCES.forEach(each ->
+                            message.add(rule.any(each).map(Node::content).orElse("")));
+                    messages.put(message, text);
+                }
+            }
+        }
+        return messages;
     }
 
     /** One connection may tell what becomes of what is sent over others, and one be asked where several could. */

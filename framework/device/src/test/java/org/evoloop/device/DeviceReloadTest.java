@@ -125,6 +125,53 @@ class DeviceReloadTest {
     }
 
     @Test
+    void aReloadThatHasToWaitSaysWhyAndAPersonCanSayWhereTheDeviceIs() throws Exception {
+        String wiring = WIRING.replace("answer: {within: 20 s}", "answer: {within: 200 ms}");
+        try (LineDevice lamp = new LineDevice(line -> "")) {
+            CompletableFuture<Integer> status = console.run(write(wiring + BEHAVIOUR, lamp), "--start");
+            console.awaitStatus("link        up");
+            lamp.tell("button power");
+            console.awaitStatus("in doubt    ");
+
+            console.type("reload");
+            await().until(() -> console.printed().contains("; waiting for up to 30 s"));
+            assertThat(console.printed()).contains("the device's state is in doubt: ");
+            console.exit(status);
+        }
+    }
+
+    @Test
+    void aPersonSaysWhereADeviceIsThatCannotBeAsked() throws Exception {
+        String wiring = WIRING.replace("answer: {within: 20 s}", "answer: {within: 200 ms}");
+        try (LineDevice lamp = new LineDevice(line -> "")) {
+            CompletableFuture<Integer> status = console.run(write(wiring + BEHAVIOUR, lamp), "--start");
+            console.awaitStatus("link        up");
+            lamp.tell("button power");
+            console.awaitStatus("in doubt    ");
+            console.type("found Onn");
+            awaitComplaint("there is no 'Onn' here; did you mean On?");
+            console.type("found On");
+            console.awaitHistory("found On  (Off, Off) -> (On, On)");
+            console.exit(status);
+        }
+    }
+
+    @Test
+    void withoutModelsNothingIsDrift() throws Exception {
+        String wiring = WIRING.replace("answer: {within: 20 s}", "state: {is on: \"On\", is off: \"Off\"}");
+        try (LineDevice lamp = new LineDevice(line -> line.equals("PWR") ? "is on" : "is off")) {
+            CompletableFuture<Integer> status = console.run(write(wiring, lamp), "--start");
+            console.awaitHistory("(Off, Off)");
+            lamp.tell("button power");
+            console.awaitHistory("(On, On)");
+            console.type("status --json");
+            await().until(() -> console.printed().contains("\"drift\":{"));
+            assertThat(console.printed()).contains("\"unexplained\":0");
+            console.exit(status);
+        }
+    }
+
+    @Test
     void aPlayedDeviceKeepsItsModel() throws Exception {
         try (LineDevice lamp = new LineDevice(line -> "")) {
             CompletableFuture<Integer> status = console.run(write(WIRING + BEHAVIOUR, lamp), "--simulate", "--start");

@@ -208,6 +208,22 @@ class SectionsTest {
         assertThatThrownBy(() -> read(text)).hasMessageContaining(message);
     }
 
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "state: {is on: 'On'}, does: {is on: lit} | lamp.yaml:3: 'is on' is also in device.state, in line 3, and would",
+                "state: {json: /w, ranges: {Low: ..10, High: 5..}} | lamp.yaml:3: the ranges ..10 and 5.. overlap",
+            })
+    void whatWouldBeHeardAsSomethingElseIsRefused(String device, String message) throws IOException {
+        String text =
+                "converter: x\nconnections: {a: {mqtt: 'mqtt://h', command-topic: c, state-topic: s}}\ndevice: {send: {x: X}, "
+                        + device + "}\n";
+        assertThatThrownBy(() -> read(text)).hasMessageContaining(message);
+        assertThat(read(text.replace("{is on: lit}", "{is lit: lit}").replace("..10", "..5")))
+                .isNotNull();
+    }
+
     /** Which keys the device has beside them depends on the connection that is missing. */
     @Test
     void whatFollowsFromAMissingConnectionIsNotSaidToo() {

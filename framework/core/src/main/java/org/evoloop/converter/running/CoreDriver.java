@@ -32,6 +32,7 @@ import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Values;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
@@ -315,7 +316,15 @@ public final class CoreDriver implements DecisionHost {
     }
 
     synchronized Drift drift() {
-        return records.drift().summary();
+        return assumesNothing(rules.table().models().original())
+                ? Drift.NONE
+                : records.drift().summary();
+    }
+
+    /** A model whose states no event leaves does not say what the device does. */
+    private static boolean assumesNothing(StateMachine device) {
+        return device.states().size() > 1
+                && device.transitions().stream().allMatch(each -> each.source().equals(each.target()));
     }
 
     /** Why the record may be wrong; empty if it is certain. */

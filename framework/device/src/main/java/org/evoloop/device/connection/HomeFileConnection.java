@@ -18,6 +18,7 @@ import java.util.function.Supplier;
 import org.evoloop.config.Secret;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.device.Connection;
+import org.evoloop.device.DeviceFile;
 import org.evoloop.device.FileModels;
 import org.evoloop.device.Outward;
 import org.evoloop.device.Parts;
@@ -235,8 +236,7 @@ final class HomeFileConnection extends Connection {
 
     /** Without a form, {@code event} is meant each time: a button has only been pressed. */
     private static Meanings meanings(Section rule, Function<Node.Text, String> known) {
-        boolean any = rule.has("event") && !rule.has("values") && !rule.has("pattern") && !rule.has("ranges");
-        return any
+        return DeviceFile.isAnyReport(rule)
                 ? rule.text("event")
                         .map(event -> Meanings.NONE.with(Match.any(), known.apply(event)))
                         .orElse(Meanings.NONE)
@@ -289,6 +289,11 @@ final class HomeFileConnection extends Connection {
     @Override
     public void shownAs(String other) {
         id = other;
+    }
+
+    @Override
+    protected boolean asksByItself() {
+        return true;
     }
 
     @Override

@@ -187,6 +187,11 @@ final class HttpFileConnection extends Connection {
     }
 
     @Override
+    protected boolean asksByItself() {
+        return true;
+    }
+
+    @Override
     protected Parts make(SystemEventConverter converter) {
         Optional<HttpExecute> execute =
                 calls.isEmpty() ? Optional.empty() : Optional.of(new HttpExecute(name() + "Execute", calls, within));

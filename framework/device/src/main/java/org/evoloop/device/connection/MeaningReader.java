@@ -1,6 +1,7 @@
 package org.evoloop.device.connection;
 
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -51,11 +52,15 @@ final class MeaningReader {
                 }
             }
             case "ranges" -> {
+                List<Range> ranges = new ArrayList<>();
                 for (Map.Entry<Node.Text, Node.Text> pair : rule.pairs("ranges").entrySet()) {
-                    Match match = range(rule, pair.getValue());
+                    Range range = range(rule, pair.getValue());
                     String name = known.apply(pair.getKey());
-                    if (match != null) {
-                        meanings = meanings.with(match.in(part), name);
+                    if (range != null) {
+                        ranges.forEach(other -> requireApart(rule, other, range));
+                        ranges.add(range);
+                        meanings = meanings.with(
+                                Match.between(range.from(), range.below()).in(part), name);
                     }
                 }
             }
@@ -69,14 +74,28 @@ final class MeaningReader {
         return rule.value("json", Part::at);
     }
 
-    private static @Nullable Match range(Section rule, Node.Text text) {
+    private record Range(Node.Text text, double from, double below) {}
+
+    private static void requireApart(Section rule, Range one, Range other) {
+        if (Math.max(one.from(), other.from()) < Math.min(one.below(), other.below())) {
+            rule.problems()
+                    .at(
+                            other.text(),
+                            "the ranges " + one.text() + " and " + other.text()
+                                    + " overlap, so a number could mean both; a range ends before its second number");
+        }
+    }
+
+    private static @Nullable Range range(Section rule, Node.Text text) {
         Matcher range = RANGE.matcher(text.value());
         if (!range.matches() || (range.group(1) == null && range.group(2) == null)) {
             rule.problems().at(text, "'" + text + "' is no range of numbers; write 3..100, ..3 or 100..");
             return null;
         }
-        return Match.between(
-                number(range.group(1), Double.NEGATIVE_INFINITY), number(range.group(2), Double.POSITIVE_INFINITY));
+        return new Range(
+                text,
+                number(range.group(1), Double.NEGATIVE_INFINITY),
+                number(range.group(2), Double.POSITIVE_INFINITY));
     }
 
     private static double number(@Nullable String text, double otherwise) {

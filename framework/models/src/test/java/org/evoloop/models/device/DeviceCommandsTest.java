@@ -206,7 +206,10 @@ class DeviceCommandsTest {
     void helpIsPrinted() {
         assertThat(run("check", "--help")).isZero();
         assertThat(run("run", "--help")).isZero();
-        assertThat(printed()).contains("usage: evoloop run FILE.yaml").contains("--simulate");
+        assertThat(printed())
+                .contains("usage: evoloop run FILE.yaml")
+                .contains("Usage: evoloop run FILE.yaml [")
+                .contains("--simulate");
     }
 
     @ParameterizedTest

@@ -306,6 +306,7 @@ class ScaffoldFromFileTest {
             delimiter = '|',
             value = {
                 "functions: {Party: {}}\\npage: 8080|:6: 'page' is an option",
+                "functions: {Party: {}}\\nschedule: {switch: '09:00'}|:6: 'schedule' is not written in Java; leave it out",
                 "functions: {Party: {}}\\nconverter: again|:6: 'converter' is given twice",
             })
     void whatCannotBecomeJavaIsRefusedWithItsLine(String more, String message) throws IOException {
