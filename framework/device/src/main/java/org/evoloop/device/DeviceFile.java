@@ -319,11 +319,6 @@ public final class DeviceFile {
         return parent.listed(key);
     }
 
-    /** Whether a rule of an entity means its event each time, whatever is reported: it says no more than the event. */
-    public static boolean isAnyReport(Section rule) {
-        return rule.has("event") && !rule.has("values") && !rule.has("pattern") && !rule.has("ranges");
-    }
-
     private static Section wrapped(Section pairs) {
         Node.Text values = new Node.Text(pairs.node().line(), "values", true);
         return new Section(

@@ -125,8 +125,9 @@ class DeviceReloadTest {
     }
 
     @Test
-    void aReloadThatHasToWaitSaysWhyAndAPersonCanSayWhereTheDeviceIs() throws Exception {
-        String wiring = WIRING.replace("answer: {within: 20 s}", "answer: {within: 200 ms}");
+    void aReloadThatHasToWaitSaysWhyAtOnce() throws Exception {
+        String wiring =
+                WIRING.replace("answer: {within: 20 s}", "answer: {within: 200 ms}\n  state: {is off: \"Off\"}");
         try (LineDevice lamp = new LineDevice(line -> "")) {
             CompletableFuture<Integer> status = console.run(write(wiring + BEHAVIOUR, lamp), "--start");
             console.awaitStatus("link        up");
@@ -136,6 +137,11 @@ class DeviceReloadTest {
             console.type("reload");
             await().until(() -> console.printed().contains("; waiting for up to 30 s"));
             assertThat(console.printed()).contains("the device's state is in doubt: ");
+            // After a line without an answer it is connected anew.
+            await().ignoreExceptions().until(() -> {
+                lamp.tell("is off");
+                return console.printed().contains("evolved to 'new': (Off, Off) is (Off, Off)");
+            });
             console.exit(status);
         }
     }

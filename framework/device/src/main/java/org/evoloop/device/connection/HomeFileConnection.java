@@ -18,7 +18,6 @@ import java.util.function.Supplier;
 import org.evoloop.config.Secret;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.device.Connection;
-import org.evoloop.device.DeviceFile;
 import org.evoloop.device.FileModels;
 import org.evoloop.device.Outward;
 import org.evoloop.device.Parts;
@@ -236,7 +235,7 @@ final class HomeFileConnection extends Connection {
 
     /** Without a form, {@code event} is meant each time: a button has only been pressed. */
     private static Meanings meanings(Section rule, Function<Node.Text, String> known) {
-        return DeviceFile.isAnyReport(rule)
+        return rule.meansAnyMessage()
                 ? rule.text("event")
                         .map(event -> Meanings.NONE.with(Match.any(), known.apply(event)))
                         .orElse(Meanings.NONE)

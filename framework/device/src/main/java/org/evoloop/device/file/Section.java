@@ -87,6 +87,11 @@ public final class Section {
         return find(key) != null;
     }
 
+    /** Whether it names an event, and none of the forms of messages that mean it: then any message does. */
+    public boolean meansAnyMessage() {
+        return has("event") && !has("values") && !has("pattern") && !has("ranges");
+    }
+
     private @Nullable Node find(String key) {
         asked.add(key);
         for (Map.Entry<Node.Text, Node> entry : node.entries().entrySet()) {

@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.evoloop.device.DeviceFile;
 import org.evoloop.device.file.Node;
 import org.evoloop.device.file.NodeJson;
 import org.evoloop.device.file.Section;
@@ -137,7 +136,7 @@ final class WrittenHome extends WrittenConnection {
                 .map(trigger -> "HomeEvents.trigger(" + literal(NodeJson.of(trigger.node())) + ")")
                 .or(() -> rule.text("event-type").map(type -> "HomeEvents.ofType(" + literal(type.value()) + ")"))
                 .orElseGet(() -> value(rule));
-        String meant = DeviceFile.isAnyReport(rule)
+        String meant = rule.meansAnyMessage()
                 ? "Meanings.NONE.with(Match.any(), "
                         + literal(rule.text("event").orElseThrow().value()) + ")"
                 : WrittenConnections.meanings(rule, "event");
