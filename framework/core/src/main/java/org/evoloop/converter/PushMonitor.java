@@ -1,8 +1,11 @@
 package org.evoloop.converter;
 
+import java.util.Collection;
 import java.util.Objects;
+import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
@@ -30,6 +33,8 @@ public class PushMonitor extends EventMonitor {
     private static final int MOST_KEPT = 1024;
     private static final long LOOK_NANOS = 100_000;
 
+    private final Set<String> ofController = ConcurrentHashMap.newKeySet();
+    private final Set<String> ofDevice = ConcurrentHashMap.newKeySet();
     private final BlockingQueue<Occurrence> pushed = new LinkedBlockingQueue<>();
 
     /** How many occurrences the monitor's own thread still has to report; none may overtake them. */
@@ -124,6 +129,28 @@ public class PushMonitor extends EventMonitor {
             throw notPart;
         }
         return admission;
+    }
+
+    /** Declares events that a controller raises through this monitor; before it is part of a converter. */
+    protected final void controllerRaises(Collection<String> events) {
+        ofController.addAll(events);
+    }
+
+    /** Declares events that the device takes by itself, as {@link #spontaneousEvents}; before it is part of a converter. */
+    protected final void deviceRaises(Collection<String> events) {
+        ofDevice.addAll(events);
+    }
+
+    /** Those that were declared. */
+    @Override
+    protected Set<String> controllerEvents() {
+        return Set.copyOf(ofController);
+    }
+
+    /** Those that were declared. */
+    @Override
+    protected Set<String> spontaneousEvents() {
+        return Set.copyOf(ofDevice);
     }
 
     /**

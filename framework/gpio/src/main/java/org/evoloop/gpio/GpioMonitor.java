@@ -3,7 +3,6 @@ package org.evoloop.gpio;
 import com.pi4j.io.gpio.digital.DigitalInput;
 import com.pi4j.io.gpio.digital.DigitalState;
 import java.time.Duration;
-import java.util.LinkedHashSet;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.evoloop.converter.PushMonitor;
@@ -30,8 +29,6 @@ public class GpioMonitor extends PushMonitor {
     private final Pins pins;
     private final Clock clock;
     private Duration debounce = SETTLED;
-    private final Set<String> devicesOwn = new LinkedHashSet<>();
-    private final Set<String> pressed = new LinkedHashSet<>();
 
     /** @param name its name in the console, unique within a converter */
     public GpioMonitor(String name, Pins pins, Clock clock) {
@@ -53,13 +50,13 @@ public class GpioMonitor extends PushMonitor {
      * @throws IllegalArgumentException if the pin cannot be used
      */
     public final GpioMonitor controller(int pin, String event) {
-        pressed.add(event);
+        controllerRaises(Set.of(event));
         return on(pin, () -> push(fromController(event)));
     }
 
     /** Adds a contact that closes when the device has done something by itself; see {@link #controller}. */
     public final GpioMonitor device(int pin, String event) {
-        devicesOwn.add(event);
+        deviceRaises(Set.of(event));
         return on(pin, () -> push(fromDevice(event)));
     }
 
@@ -97,15 +94,5 @@ public class GpioMonitor extends PushMonitor {
         Contact contact = new Contact(clock, debounce, closed, news);
         input.addListener(change -> contact.changed(change.state() == DigitalState.LOW));
         return closed;
-    }
-
-    @Override
-    protected Set<String> spontaneousEvents() {
-        return Set.copyOf(devicesOwn);
-    }
-
-    @Override
-    protected Set<String> controllerEvents() {
-        return Set.copyOf(pressed);
     }
 }

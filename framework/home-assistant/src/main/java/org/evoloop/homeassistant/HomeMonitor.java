@@ -1,11 +1,9 @@
 package org.evoloop.homeassistant;
 
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.Consumer;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.SystemEventConverter;
@@ -41,8 +39,6 @@ public class HomeMonitor extends PushMonitor {
     private final Map<String, HomeEvents> sources = new LinkedHashMap<>();
     private final ReportRules events;
     private final ReportRules states;
-    private final Set<String> devicesOwn = new LinkedHashSet<>();
-    private final Set<String> pressed = new LinkedHashSet<>();
     private @Nullable Inference inference;
 
     /** @param name its name in the console, unique within a converter */
@@ -87,7 +83,7 @@ public class HomeMonitor extends PushMonitor {
     }
 
     private HomeMonitor controller(String source, Meanings meanings) {
-        pressed.addAll(meanings.names());
+        controllerRaises(meanings.names());
         events.add(
                 source, meanings, ReportRules.Use.EVENT, event -> push(fromController(event.name(), event.values())));
         return this;
@@ -107,7 +103,7 @@ public class HomeMonitor extends PushMonitor {
     }
 
     private HomeMonitor device(String source, Meanings meanings) {
-        devicesOwn.addAll(meanings.names());
+        deviceRaises(meanings.names());
         events.add(source, meanings, ReportRules.Use.EVENT, event -> push(fromDevice(event.name(), event.values())));
         return this;
     }
@@ -142,18 +138,8 @@ public class HomeMonitor extends PushMonitor {
      * @param more events that the device takes by itself, beside those that its model declares to be its own
      */
     public final HomeMonitor inferring(SystemEventConverter converter, String... more) {
-        devicesOwn.addAll(List.of(more));
-        inference = new Inference(converter, () -> devicesOwn);
+        deviceRaises(List.of(more));
+        inference = new Inference(converter, this::spontaneousEvents);
         return this;
-    }
-
-    @Override
-    protected Set<String> spontaneousEvents() {
-        return Set.copyOf(devicesOwn);
-    }
-
-    @Override
-    protected Set<String> controllerEvents() {
-        return Set.copyOf(pressed);
     }
 }

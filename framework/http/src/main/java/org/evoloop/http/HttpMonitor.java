@@ -2,7 +2,6 @@ package org.evoloop.http;
 
 import java.io.IOException;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
@@ -41,8 +40,6 @@ public class HttpMonitor extends PushMonitor implements AutoCloseable {
     private final int port;
     private final Map<String, Function<Values, @Nullable CompletableFuture<EventOutcome>>> requests =
             new LinkedHashMap<>();
-    private final Set<String> devicesOwn = new LinkedHashSet<>();
-    private final Set<String> pressed = new LinkedHashSet<>();
     private Door door = Door.loopback();
     private @Nullable RequestServer server;
 
@@ -76,13 +73,13 @@ public class HttpMonitor extends PushMonitor implements AutoCloseable {
      * @throws IllegalArgumentException if it is something else, or was set before
      */
     public final HttpMonitor controller(String request, String event) {
-        pressed.add(event);
+        controllerRaises(Set.of(event));
         return on(request, values -> pressed(event, values));
     }
 
     /** Sets the request that reports that the device has done something by itself; see {@link #controller}. */
     public final HttpMonitor device(String request, String event) {
-        devicesOwn.add(event);
+        deviceRaises(Set.of(event));
         return reporting(request, values -> push(fromDevice(event, values)));
     }
 
@@ -139,16 +136,6 @@ public class HttpMonitor extends PushMonitor implements AutoCloseable {
             throw new IllegalStateException(name() + " is not open");
         }
         return server.port();
-    }
-
-    @Override
-    protected Set<String> spontaneousEvents() {
-        return Set.copyOf(devicesOwn);
-    }
-
-    @Override
-    protected Set<String> controllerEvents() {
-        return Set.copyOf(pressed);
     }
 
     /** Frees the port. Idempotent. */

@@ -4,10 +4,8 @@ import java.io.IOException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
@@ -58,8 +56,6 @@ public class HttpPoll extends PushMonitor implements DeviceLink, AutoCloseable {
     private final Health health;
     private final Readings readings = new Readings();
     private final List<Report> reports = new ArrayList<>();
-    private final Set<String> devicesOwn = new LinkedHashSet<>();
-    private final Set<String> pressed = new LinkedHashSet<>();
     private Meanings states = Meanings.NONE;
     private @Nullable Steady steady;
     private ReentrantLock turn = new ReentrantLock();
@@ -111,7 +107,7 @@ public class HttpPoll extends PushMonitor implements DeviceLink, AutoCloseable {
             throw new IllegalArgumentException("no device can be asked without a pause; give " + name + " one");
         }
         this.converter = converter;
-        this.inference = new Inference(converter, () -> devicesOwn);
+        this.inference = new Inference(converter, this::spontaneousEvents);
         this.question = question;
         this.every = Clock.requireDelay(every);
         this.sinceStep = new Rest(converter.clock(), every);
@@ -135,20 +131,20 @@ public class HttpPoll extends PushMonitor implements DeviceLink, AutoCloseable {
      */
     public final HttpPoll inferring(String... more) {
         inferring = true;
-        devicesOwn.addAll(List.of(more));
+        deviceRaises(List.of(more));
         return this;
     }
 
     /** Sets events of a controller that the answer reports; each occurs when the answer begins to mean it. */
     public final HttpPoll controller(Meanings events) {
-        pressed.addAll(events.names());
+        controllerRaises(events.names());
         reports.add(new Report(events, converter.clock(), event -> push(fromController(event.name(), event.values()))));
         return this;
     }
 
     /** Sets what the device does by itself; see {@link #controller}. */
     public final HttpPoll device(Meanings events) {
-        devicesOwn.addAll(events.names());
+        deviceRaises(events.names());
         reports.add(new Report(events, converter.clock(), event -> push(fromDevice(event.name(), event.values()))));
         return this;
     }
@@ -243,16 +239,6 @@ public class HttpPoll extends PushMonitor implements DeviceLink, AutoCloseable {
             Optional<String> event = inferring ? inference.eventTo(state) : Optional.empty();
             push(event.map(this::fromDevice).orElseGet(() -> foundIn(state)));
         }
-    }
-
-    @Override
-    protected Set<String> spontaneousEvents() {
-        return Set.copyOf(devicesOwn);
-    }
-
-    @Override
-    protected Set<String> controllerEvents() {
-        return Set.copyOf(pressed);
     }
 
     @Override

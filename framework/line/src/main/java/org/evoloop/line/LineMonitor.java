@@ -1,10 +1,8 @@
 package org.evoloop.line;
 
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Function;
 import java.util.regex.Pattern;
@@ -37,8 +35,6 @@ public class LineMonitor extends PushMonitor {
     private static final Logger LOG = LoggerFactory.getLogger(LineMonitor.class);
 
     private final List<Rule> rules = new CopyOnWriteArrayList<>();
-    private final Set<String> devicesOwn = new LinkedHashSet<>();
-    private final Set<String> pressed = new LinkedHashSet<>();
 
     private record Rule(Meanings meanings, Function<Meanings.Meaning, Occurrence> means) {}
 
@@ -68,7 +64,7 @@ public class LineMonitor extends PushMonitor {
 
     /** As {@link #controller(Map)}, with JSON, patterns and values. */
     public final LineMonitor controller(Meanings events) {
-        pressed.addAll(events.names());
+        controllerRaises(events.names());
         return rule(events, event -> fromController(event.name(), event.values()));
     }
 
@@ -88,7 +84,7 @@ public class LineMonitor extends PushMonitor {
 
     /** As {@link #device(Map)}, with JSON, patterns and values. */
     public final LineMonitor device(Meanings events) {
-        devicesOwn.addAll(events.names());
+        deviceRaises(events.names());
         return rule(events, event -> fromDevice(event.name(), event.values()));
     }
 
@@ -121,15 +117,5 @@ public class LineMonitor extends PushMonitor {
             }
         }
         LOG.debug("{} ignores '{}'", name(), line);
-    }
-
-    @Override
-    protected Set<String> spontaneousEvents() {
-        return Set.copyOf(devicesOwn);
-    }
-
-    @Override
-    protected Set<String> controllerEvents() {
-        return Set.copyOf(pressed);
     }
 }

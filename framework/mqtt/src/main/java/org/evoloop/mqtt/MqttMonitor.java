@@ -1,11 +1,9 @@
 package org.evoloop.mqtt;
 
 import java.time.Duration;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import org.evoloop.converter.PushMonitor;
@@ -41,8 +39,6 @@ import org.jspecify.annotations.Nullable;
 public class MqttMonitor extends PushMonitor {
     private final BrokerConnection connection;
     private final ReportRules rules;
-    private final Set<String> devicesOwn = new LinkedHashSet<>();
-    private final Set<String> pressed = new LinkedHashSet<>();
     private @Nullable Fence fence;
     private @Nullable Inference inference;
     private @Nullable String outcomes;
@@ -80,7 +76,7 @@ public class MqttMonitor extends PushMonitor {
 
     /** As {@link #controller(String, Map)}, with JSON, patterns and values. */
     public final MqttMonitor controller(String topic, Meanings events) {
-        pressed.addAll(events.names());
+        controllerRaises(events.names());
         rules.add(topic, events, ReportRules.Use.EVENT, event -> {
             if (fence == null || fence.isPassed()) {
                 hear(event.name(), event.values());
@@ -118,7 +114,7 @@ public class MqttMonitor extends PushMonitor {
 
     /** As {@link #device(String, Map)}, with JSON, patterns and values. */
     public final MqttMonitor device(String topic, Meanings events) {
-        devicesOwn.addAll(events.names());
+        deviceRaises(events.names());
         rules.add(topic, events, ReportRules.Use.EVENT, event -> push(fromDevice(event.name(), event.values())));
         return this;
     }
@@ -157,8 +153,8 @@ public class MqttMonitor extends PushMonitor {
      *     declares to be its own
      */
     public final MqttMonitor inferring(SystemEventConverter converter, String... more) {
-        devicesOwn.addAll(List.of(more));
-        inference = new Inference(converter, () -> devicesOwn);
+        deviceRaises(List.of(more));
+        inference = new Inference(converter, this::spontaneousEvents);
         return this;
     }
 
@@ -185,15 +181,5 @@ public class MqttMonitor extends PushMonitor {
             push(fromPanel(event, true));
         }
         received = passed.size();
-    }
-
-    @Override
-    protected Set<String> spontaneousEvents() {
-        return Set.copyOf(devicesOwn);
-    }
-
-    @Override
-    protected Set<String> controllerEvents() {
-        return Set.copyOf(pressed);
     }
 }
