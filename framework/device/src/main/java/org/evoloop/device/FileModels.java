@@ -328,6 +328,11 @@ public final class FileModels {
         return new ModelPair(any, any.withName("new"));
     }
 
+    /** The states that the device reports, as the file says. */
+    Set<String> allReported() {
+        return reported;
+    }
+
     /** The events that the device raises by itself, as the file says. */
     Set<String> allDevicesOwn() {
         return devicesOwn;

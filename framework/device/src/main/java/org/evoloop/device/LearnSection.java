@@ -19,6 +19,8 @@ import org.evoloop.device.file.Section;
  *
  * @param home the state in which it begins and is left; empty if the device does not say where it is
  * @param reset events that are sent until the device is at home, or once if it does not say where it is
+ * @param resetIn by state, instead: events that are sent there until the device is at home
+ * @param homeWithin how long the device may take to come home after an event of the reset
  * @param settle how long it must be quiet after an event
  * @param never events that are never sent
  * @param neverIn by state: events that are not sent there
@@ -30,6 +32,8 @@ import org.evoloop.device.file.Section;
 public record LearnSection(
         String home,
         List<String> reset,
+        Map<String, List<String>> resetIn,
+        Duration homeWithin,
         Duration settle,
         Set<String> never,
         Map<String, Set<String>> neverIn,
@@ -40,11 +44,12 @@ public record LearnSection(
     private static final Duration SETTLE = Duration.ofMillis(500);
 
     /** Nothing is said. */
-    public static final LearnSection NONE =
-            new LearnSection("", List.of(), SETTLE, Set.of(), Map.of(), Optional.empty(), Map.of(), List.of());
+    public static final LearnSection NONE = new LearnSection(
+            "", List.of(), Map.of(), Duration.ZERO, SETTLE, Set.of(), Map.of(), Optional.empty(), Map.of(), List.of());
 
     public LearnSection {
         reset = List.copyOf(reset);
+        resetIn = Map.copyOf(resetIn);
         never = Set.copyOf(never);
         neverIn = Map.copyOf(neverIn);
         stops = Map.copyOf(stops);
@@ -52,22 +57,30 @@ public record LearnSection(
     }
 
     static LearnSection read(Section learn, FileModels models) {
-        String home = learn.text("home").map(models::deviceState).orElse("");
-        List<String> reset = new ArrayList<>();
+        String home =
+                learn.text("home").map(state -> reported(learn, state, models)).orElse("");
         Set<String> never = new LinkedHashSet<>();
         learn.texts("never").forEach(event -> never.add(sendable(learn, event, models)));
-        for (Node.Text event : learn.texts("reset")) {
-            reset.add(sendable(learn, event, models));
-            if (never.contains(event.value())) {
-                learn.problems().at(event, "'" + event + "' is sent for the reset, and learn.never forbids it");
-            }
+        List<String> reset = new ArrayList<>();
+        Map<String, List<String>> resetIn = new LinkedHashMap<>();
+        if (learn.any("reset").orElse(null) instanceof Node.Entries) {
+            learn.section("reset").ifPresent(states -> {
+                for (Node.Text state : states.keys()) {
+                    resetIn.put(reported(learn, state, models), resetting(states, state.value(), never, models));
+                }
+                states.done();
+            });
+        } else {
+            reset.addAll(resetting(learn, "reset", never, models));
         }
+        Optional<Duration> homeWithin = learn.period("home-within");
+        requireWayHome(learn, homeWithin.isPresent());
         Map<String, Set<String>> neverIn = new LinkedHashMap<>();
         learn.section("never-in").ifPresent(states -> {
             for (Node.Text state : states.keys()) {
                 Set<String> events = new LinkedHashSet<>();
                 states.texts(state.value()).forEach(event -> events.add(sendable(learn, event, models)));
-                neverIn.put(models.deviceState(state), events);
+                neverIn.put(reported(learn, state, models), events);
             }
             states.done();
         });
@@ -82,6 +95,8 @@ public record LearnSection(
         LearnSection section = new LearnSection(
                 home,
                 reset,
+                resetIn,
+                homeWithin.orElse(Duration.ZERO),
                 learn.period("settle").orElse(SETTLE),
                 never,
                 neverIn,
@@ -90,6 +105,35 @@ public record LearnSection(
                 learn.between("between"));
         learn.done();
         return section;
+    }
+
+    /** Without an event of the reset it comes home by itself, or a person brings it there. */
+    private static void requireWayHome(Section learn, boolean waits) {
+        if (learn.has("home") && !learn.has("reset") && !waits) {
+            learn.problem("learn has a home, and nothing that brings the device there; add reset: EVENT, or"
+                    + " home-within: TIME if it comes home by itself");
+        }
+        if (!learn.has("home") && learn.any("reset").orElse(null) instanceof Node.Entries) {
+            learn.problem("learn.reset is by state, so learn needs home: STATE");
+        }
+    }
+
+    /** The events that a reset sends. */
+    private static List<String> resetting(Section section, String key, Set<String> never, FileModels models) {
+        List<String> events = new ArrayList<>();
+        for (Node.Text event : section.texts(key)) {
+            events.add(sendable(section, event, models));
+            if (never.contains(event.value())) {
+                section.problems().at(event, "'" + event + "' is sent for the reset, and learn.never forbids it");
+            }
+        }
+        return events;
+    }
+
+    private static String reported(Section learn, Node.Text state, FileModels models) {
+        learn.problems()
+                .requireOneOf(state, models.allReported(), "'" + state + "' is not a state that the device reports");
+        return state.value();
     }
 
     private static String sendable(Section learn, Node.Text event, FileModels models) {

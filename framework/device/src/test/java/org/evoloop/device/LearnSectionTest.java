@@ -64,6 +64,41 @@ class LearnSectionTest {
     }
 
     @Test
+    void aResetMayBeByStateAndTakeItsTime() throws IOException {
+        LearnSection learn = read("tcp://127.0.0.1:1", """
+                home: "Off"
+                reset: {"On": [clear, power]}
+                home-within: 2 min
+                """).learning();
+
+        assertThat(learn.reset()).isEmpty();
+        assertThat(learn.resetIn()).isEqualTo(Map.of("On", List.of("clear", "power")));
+        assertThat(learn.homeWithin()).isEqualTo(Duration.ofMinutes(2));
+    }
+
+    @Test
+    void aStateThatTheDeviceDoesNotReportIsNoHomeAndHasNoRule() {
+        assertThatThrownBy(() -> read("tcp://127.0.0.1:1", """
+                        home: Of
+                        reset: {Onn: [power, blow]}
+                        never-in: {Dim: power}
+                        """))
+                .isInstanceOf(DeviceFileException.class)
+                .hasMessageContaining("lamp.yaml:8: 'Of' is not a state that the device reports; did you mean Off")
+                .hasMessageContaining("lamp.yaml:9: 'Onn' is not a state that the device reports; did you mean On")
+                .hasMessageContaining("lamp.yaml:9: 'blow' is not an event that is sent to the device")
+                .hasMessageContaining("lamp.yaml:10: 'Dim' is not a state that the device reports");
+    }
+
+    @Test
+    void aHomeNeedsAWayAndAWayByStateNeedsAHome() {
+        assertThatThrownBy(() -> read("tcp://127.0.0.1:1", "home: \"Off\""))
+                .hasMessageContaining("learn has a home, and nothing that brings the device there");
+        assertThatThrownBy(() -> read("tcp://127.0.0.1:1", "reset: {\"On\": power}"))
+                .hasMessageContaining("learn.reset is by state, so learn needs home: STATE");
+    }
+
+    @Test
     void everyMistakeIsNamedWithItsLine() {
         assertThatThrownBy(() -> read("tcp://127.0.0.1:1", """
                         reset: [powr, clear]
@@ -95,7 +130,7 @@ class LearnSectionTest {
         PushMonitor buttons = new PushMonitor("Buttons");
         try (LineDevice lamp = new LineDevice(line -> line.equals("P") ? "is off" : "");
                 SystemClock clock = new SystemClock()) {
-            DeviceFile file = read(lamp.address(), "home: \"Off\"");
+            DeviceFile file = read(lamp.address(), "home: \"Off\"\nreset: power");
             try (DeviceConverter opened = DeviceConverter.open(file, file.free("nothing"), clock, buttons, none)) {
                 Awaitility.await().until(lamp::isConnected);
                 assertThat(file.sent()).containsExactlyInAnyOrder("power", "clear");

@@ -36,12 +36,13 @@ public final class ConverterDevice implements LearnedDevice {
     private static final Duration PATIENCE = Duration.ofSeconds(30);
     /** How often the events of the reset are sent until the device is at home. */
     private static final int MOST_ROUNDS = 10;
+    /** How often it may stay away for as long as its way home may take. */
+    private static final int MOST_LATE = 2;
 
     private final SystemEventConverter converter;
     private final PushMonitor buttons;
     private final LearnRules rules;
-    private final String home;
-    private final List<String> resets;
+    private final WayHome way;
     private final Duration settle;
     private final Clock clock;
     private final BlockingQueue<News> news = new LinkedBlockingQueue<>();
@@ -83,22 +84,15 @@ public final class ConverterDevice implements LearnedDevice {
      * @param converter a converter that runs
      * @param buttons its monitor through which events are pressed
      * @param rules what a reset must not send either
-     * @param home the state to which the device is reset; empty if it does not say where it is
-     * @param resets the events that bring it there
+     * @param way how it is brought to where every word begins
      * @param settle how long nothing must happen after an event
      */
     public ConverterDevice(
-            SystemEventConverter converter,
-            PushMonitor buttons,
-            LearnRules rules,
-            String home,
-            List<String> resets,
-            Duration settle) {
+            SystemEventConverter converter, PushMonitor buttons, LearnRules rules, WayHome way, Duration settle) {
         this.converter = requireNonNull(converter, "the converter is null");
         this.buttons = requireNonNull(buttons, "the monitor is null");
         this.rules = rules;
-        this.home = home;
-        this.resets = List.copyOf(resets);
+        this.way = way;
         this.settle = settle;
         this.clock = converter.clock();
         this.looked = clock.nanoTime();
@@ -127,19 +121,37 @@ public final class ConverterDevice implements LearnedDevice {
     @Override
     public Heard reset() throws InterruptedException {
         look();
-        for (int round = 0; round < MOST_ROUNDS; round++) {
-            if (home.isEmpty() ? round > 0 : shown.equals(home)) {
+        int late = 0;
+        for (int round = 0; round < MOST_ROUNDS && late < MOST_LATE; round++) {
+            if (isHome() || (way.home().isEmpty() && round > 0)) {
                 return Heard.accepted(shown);
             }
-            for (String event : resets) {
-                if ((home.isEmpty() || !shown.equals(home)) && !rules.forbid(event, shown)) {
+            for (String event : way.from(shown)) {
+                if (!isHome() && !rules.forbid(event, shown)) {
                     send(event);
                     quiet();
                 }
             }
+            if (!way.within().isZero() && !hasMoved(way.within())) {
+                late++;
+            }
         }
-        throw new LostException("the device could not be brought to " + home + " by " + String.join(", ", resets)
-                + "; it is in " + shown + "; correct learn.reset, or bring it there by hand");
+        throw new LostException("the device could not be brought to " + way.home() + " by " + way + "; it is in "
+                + shown + "; correct learn.reset, or bring it there by hand");
+    }
+
+    private boolean isHome() {
+        return !way.home().isEmpty() && shown.equals(way.home());
+    }
+
+    /** Listens until the device is at home, or has come to any other state, from which the reset goes on. */
+    private boolean hasMoved(Duration within) throws InterruptedException {
+        String before = shown;
+        long begin = clock.nanoTime();
+        while (!isHome() && shown.equals(before) && clock.nanoTime() - begin < within.toNanos()) {
+            quiet();
+        }
+        return isHome() || !shown.equals(before);
     }
 
     @Override

@@ -154,7 +154,8 @@ public record Learned(
                     remarks.add(edge.toString());
                 }
                 if (latest.minus(soonest).compareTo(SECOND.plus(latest.dividedBy(TIMERS_DIFFER))) > 0) {
-                    remarks.add(edge + "; these are two timers, or one that began before the state");
+                    remarks.add(edge + "; these are two timers, one that began before the state,"
+                            + " or a way whose time depends on where it began");
                 }
             }
         }

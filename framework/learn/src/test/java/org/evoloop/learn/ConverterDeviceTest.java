@@ -22,6 +22,7 @@ import org.evoloop.time.SystemClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 
 /** A simulated kettle behind a running converter that assumes nothing of it. */
 class ConverterDeviceTest {
@@ -48,6 +49,11 @@ class ConverterDeviceTest {
 
     @BeforeEach
     void run() {
+        converter.addMonitor(wall);
+        run(converter, buttons, kettle);
+    }
+
+    private void run(SystemEventConverter converter, PushMonitor buttons, SimulatedDevice kettle) {
         StateMachineBuilder free = StateMachine.named("original").initial("Off");
         for (String state : List.of("Off", "Warm", "Hot")) {
             for (String event : List.of("power", "boil", "done", LookExecute.LOOK, LookExecute.SEEN)) {
@@ -56,9 +62,8 @@ class ConverterDeviceTest {
         }
         StateMachine any = free.spontaneous("done").build();
         converter.addMonitor(buttons);
-        converter.addMonitor(wall);
         converter.addExecute(new LookExecute());
-        kettle.addTo(converter, clock);
+        kettle.addTo(converter, converter.clock());
         converter.addKnowledge(new StateKnowledge(new ModelPair(any, any.withName("new"))));
         converter.build();
         converter.start();
@@ -71,7 +76,11 @@ class ConverterDeviceTest {
     }
 
     private ConverterDevice device(String home, String... resets) {
-        return new ConverterDevice(converter, buttons, LearnRules.NONE, home, List.of(resets), SETTLE);
+        return device(new WayHome(home, List.of(resets), Map.of(), Duration.ZERO));
+    }
+
+    private ConverterDevice device(WayHome way) {
+        return new ConverterDevice(converter, buttons, LearnRules.NONE, way, SETTLE);
     }
 
     @Test
@@ -132,8 +141,8 @@ class ConverterDeviceTest {
     @Test
     void theTimeInAStateBeginsWithThePressThatLedThere() throws InterruptedException {
         Duration settle = Duration.ofMillis(200);
-        ConverterDevice device =
-                new ConverterDevice(converter, buttons, LearnRules.NONE, "Off", List.of("power"), settle);
+        WayHome way = new WayHome("Off", List.of("power"), Map.of(), Duration.ZERO);
+        ConverterDevice device = new ConverterDevice(converter, buttons, LearnRules.NONE, way, settle);
         device.reset();
         device.press("power");
 
@@ -161,8 +170,8 @@ class ConverterDeviceTest {
     void aResetSendsNothingThatARuleForbids() throws InterruptedException {
         LearnRules rules =
                 new LearnRules(Set.of(), Map.of("Warm", Set.of("power")), Integer.MAX_VALUE, List.of(), null);
-        ConverterDevice device =
-                new ConverterDevice(converter, buttons, rules, "Off", List.of("power", "boil"), SETTLE);
+        WayHome way = new WayHome("Off", List.of("power", "boil"), Map.of(), Duration.ZERO);
+        ConverterDevice device = new ConverterDevice(converter, buttons, rules, way, SETTLE);
         device.reset();
         device.press("power");
 
@@ -177,6 +186,56 @@ class ConverterDeviceTest {
                 .isInstanceOf(LostException.class)
                 .hasMessageContaining("could not be brought to Hot by power");
         assertThat(device("", "power").reset().shown()).isNotEmpty();
+    }
+
+    @Test
+    void aResetWaitsUntilTheDeviceHasArrived() throws InterruptedException {
+        ConverterDevice device =
+                device(new WayHome("Off", List.of(), Map.of("Warm", List.of("boil")), Duration.ofMinutes(1)));
+        device.reset();
+        device.press("power");
+        kettle.incidents((number, event) -> {
+            kettle.actsAfter(Duration.ofMillis(100), "done");
+            return List.of();
+        });
+
+        assertThat(device.reset().shown()).isEqualTo("Off");
+        assertThat(kettle.received()).containsExactly("power", "boil");
+    }
+
+    @Test
+    void aDeviceThatDoesNotArriveInTimeIsNotWaitedForForEver() throws InterruptedException {
+        ConverterDevice device =
+                device(new WayHome("Off", List.of(), Map.of("Warm", List.of("boil")), Duration.ofMillis(50)));
+        device.reset();
+        device.press("power");
+
+        assertThatThrownBy(device::reset)
+                .isInstanceOf(LostException.class)
+                .hasMessageContaining("could not be brought to Off by boil; it is in Hot");
+    }
+
+    @Test
+    @Timeout(20)
+    void aDeviceThatCannotBeAskedIsWhereItReportedLast() throws InterruptedException {
+        SimulatedDevice mute = SimulatedDevice.of(KETTLE)
+                .sends("power", "boil")
+                .buttons("done")
+                .build();
+        try (SystemClock time = new SystemClock();
+                SystemEventConverter own = new SystemEventConverter(LoopConfig.defaults("mute", time))) {
+            PushMonitor presses = new PushMonitor("Learner");
+            run(own, presses, mute);
+            WayHome way = new WayHome("Off", List.of("power"), Map.of(), Duration.ZERO);
+            ConverterDevice device = new ConverterDevice(own, presses, LearnRules.NONE, way, SETTLE);
+            mute.reportsState();
+
+            assertThat(device.reset().shown()).isEqualTo("Off");
+            assertThat(device.press("power").reply()).isEqualTo(Heard.Reply.ACCEPTED);
+            mute.reportsState();
+
+            assertThat(device.await(Duration.ofSeconds(5)).shown()).isEqualTo("Warm");
+        }
     }
 
     @Test

@@ -26,6 +26,7 @@ import org.evoloop.learn.LearnSettings;
 import org.evoloop.learn.Learned;
 import org.evoloop.learn.Learner;
 import org.evoloop.learn.LookExecute;
+import org.evoloop.learn.WayHome;
 import org.evoloop.models.flat.AstahWriter;
 import org.evoloop.page.PageOptions;
 import org.evoloop.statechart.FlatDrawing;
@@ -192,7 +193,10 @@ final class LearnCommand implements Callable<Integer> {
 
     private static Duration time(String option, String text) {
         try {
-            return new Event("tm(" + text + ")").timeTrigger().orElseThrow();
+            return new Event("tm(" + text + ")")
+                    .timeTrigger()
+                    .filter(time -> !time.isZero())
+                    .orElseThrow();
         } catch (ModelException | NoSuchElementException wrong) {
             throw new IllegalArgumentException(option + " is '" + text
                     + "', which is no duration; write a number and a unit, such as 60 s or 2 h");
@@ -215,8 +219,8 @@ final class LearnCommand implements Callable<Integer> {
                         device, device.free(LookExecute.LOOK, LookExecute.SEEN), clock, buttons, new LookExecute());
                 LearnPage progress = new LearnPage(shown, opened.converter(), settings.budget())) {
             LearnRules rules = rules(section);
-            ConverterDevice port = new ConverterDevice(
-                    opened.converter(), buttons, rules, section.home(), section.reset(), section.settle());
+            WayHome way = new WayHome(section.home(), section.reset(), section.resetIn(), section.homeWithin());
+            ConverterDevice port = new ConverterDevice(opened.converter(), buttons, rules, way, section.settle());
             Learner learner = new Learner(
                     port,
                     device.sent().stream().sorted().toList(),

@@ -25,11 +25,15 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import org.evoloop.natives.Pty;
+import org.evoloop.time.Threads;
 import org.evoloop.xmi.ModelReference;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
 
@@ -215,6 +219,43 @@ class LearnCommandTest {
                 .isZero();
     }
 
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void itIsLearnedThroughASerialPort() throws IOException {
+        Path port = folder.resolve("port");
+        Path model = folder.resolve("dimmer.mmd");
+        try (Pty cable = Pty.open(port)) {
+            Threads.start("dimmer-cable", () -> answer(cable));
+            assertThat(learn(
+                            described("{lines: \"serial://" + port + "\", baud: 9600}", ", never: clear"),
+                            "--output=" + model,
+                            "--longest=50 ms"))
+                    .as(out.toString())
+                    .isEqualTo(1);
+        }
+        assertThat(transitions(model))
+                .containsExactlyInAnyOrder(
+                        "Off --power--> Bright",
+                        "Bright --power--> Off",
+                        "Bright --dim--> Dim",
+                        "Dim --power--> Off",
+                        "Dim --dim--> Bright");
+    }
+
+    private void answer(Pty cable) {
+        StringBuilder heard = new StringBuilder();
+        byte[] bytes = new byte[256];
+        while (!cable.isHungUp()) {
+            int length = cable.read(bytes, Pty.LONGEST_WAIT_MILLIS);
+            heard.append(new String(bytes, 0, Math.max(0, length), StandardCharsets.UTF_8));
+            for (int end = heard.indexOf("\n"); end >= 0; end = heard.indexOf("\n")) {
+                byte[] said = (answer(heard.substring(0, end)) + "\n").getBytes(StandardCharsets.UTF_8);
+                heard.delete(0, end + 1);
+                cable.write(said, said.length);
+            }
+        }
+    }
+
     private void killed(int times, long seed) throws Exception {
         Random random = new Random(seed);
         Path model = folder.resolve("dimmer.mmd");
@@ -367,6 +408,11 @@ class LearnCommandTest {
         assertThat(err.toString()).contains(".mmd, .scxml or .xml");
         assertThat(learn("", "--output=a.mmd", "--budget=soon")).isEqualTo(2);
         assertThat(err.toString()).contains("--budget is 'soon'");
+        assertThat(learn("", "--output=a.mmd", "--longest=0 s")).isEqualTo(2);
+        assertThat(err.toString()).contains("--longest is '0 s', which is no duration");
+        assertThat(learn("", "--output=a.mmd", "--from=" + folder.resolve("missing.mmd")))
+                .isEqualTo(2);
+        assertThat(err.toString()).contains("missing.mmd");
         Path anywhere = described("");
         Files.writeString(anywhere, Files.readString(anywhere).replaceAll("(?m)^learn:.*\\R", ""));
         assertThat(learn(anywhere, "--output=a.mmd")).isEqualTo(2);
