@@ -166,6 +166,11 @@ final class LearnCommand implements Callable<Integer> {
             throw new IllegalArgumentException(
                     "--output " + output + " has no ending that names a format; use .mmd, .scxml or .xml");
         }
+        Path into = output.toAbsolutePath().getParent();
+        if (into == null || !Files.isDirectory(into)) {
+            throw new IllegalArgumentException(
+                    "--output " + output + " is in a folder that does not exist; make " + into + ", or name another");
+        }
         return ending;
     }
 

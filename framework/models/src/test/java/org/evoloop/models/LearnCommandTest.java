@@ -406,6 +406,10 @@ class LearnCommandTest {
     void wrongInputIsNamed() throws IOException {
         assertThat(learn("", "--output=" + folder.resolve("dimmer.png"))).isEqualTo(2);
         assertThat(err.toString()).contains(".mmd, .scxml or .xml");
+        assertThat(learn("", "--output=" + folder.resolve("none").resolve("dimmer.mmd")))
+                .isEqualTo(2);
+        assertThat(err.toString()).contains("dimmer.mmd is in a folder that does not exist; make ");
+        assertThat(received).isEmpty();
         assertThat(learn("", "--output=a.mmd", "--budget=soon")).isEqualTo(2);
         assertThat(err.toString()).contains("--budget is 'soon'");
         assertThat(learn("", "--output=a.mmd", "--longest=0 s")).isEqualTo(2);

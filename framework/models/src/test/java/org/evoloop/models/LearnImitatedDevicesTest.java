@@ -61,9 +61,9 @@ class LearnImitatedDevicesTest {
     }
 
     @ParameterizedTest
-    @EnumSource(names = {"VALETUDO", "WIFI_ROOMBA"})
+    @EnumSource(names = {"VALETUDO"})
     @Tag("slow")
-    void robotsThatTakeTheirTimeToComeHomeAreWhatTheirReadmesDraw(ImitatedDevice device) throws Exception {
+    void aRobotThatTakesItsTimeToComeHomeIsWhatItsReadmeDraws(ImitatedDevice device) throws Exception {
         isWhatItsReadmeDraws(device, Set.of("docks"));
     }
 
