@@ -26,7 +26,10 @@ import org.evoloop.xmi.text.TextEditor;
  * @since 0.1
  */
 public final class ModelEditor {
+    private static final String BYTE_ORDER_MARK = "\uFEFF";
+
     private final String file;
+    private final String mark;
     private final String text;
     private final String machine;
 
@@ -45,7 +48,8 @@ public final class ModelEditor {
      */
     public ModelEditor(String file, String text, String machine) {
         this.file = file;
-        this.text = text;
+        this.mark = text.startsWith(BYTE_ORDER_MARK) ? BYTE_ORDER_MARK : "";
+        this.text = text.substring(mark.length());
         this.machine = machine;
     }
 
@@ -152,7 +156,7 @@ public final class ModelEditor {
                 throw unsure("another machine of the file would change");
             }
         }
-        return new Edited(changed, line);
+        return new Edited(mark + changed, line);
     }
 
     private ModelFile read(String content) {

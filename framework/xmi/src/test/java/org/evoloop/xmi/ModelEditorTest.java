@@ -167,6 +167,18 @@ class ModelEditorTest {
         assertThat(transitions(plain.read())).contains("on --burnt--> off");
     }
 
+    @ParameterizedTest
+    @MethodSource("samples")
+    void lineBreaksAndAByteOrderMarkStay(Sample sample) {
+        String windows = "\uFEFF" + sample.text().replace("\r\n", "\n").replace("\n", "\r\n");
+        String edited = new Sample(sample.file(), sample.machine(), windows)
+                .edited(e -> e.addState("warm", ""))
+                .edited(e -> e.addTransition("on", "warm", "heat", ""))
+                .text();
+        assertThat(edited).startsWith("\uFEFF").contains("heat");
+        assertThat(edited.replace("\r\n", "")).doesNotContain("\n", "\r");
+    }
+
     @Test
     void inScxmlAKeywordIsForAllEventsOfATransition() {
         Sample scxml = samples()

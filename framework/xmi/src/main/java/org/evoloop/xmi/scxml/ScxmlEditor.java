@@ -26,6 +26,8 @@ public final class ScxmlEditor implements MachineEditor {
 
     private final String text;
 
+    private final String lineBreak;
+
     private record Change(int to, String by) {}
 
     /** @param file for messages */
@@ -33,6 +35,7 @@ public final class ScxmlEditor implements MachineEditor {
         this.file = file;
         this.text = text;
         this.tags = new XmlTags(text);
+        this.lineBreak = text.contains("\r\n") ? "\r\n" : "\n";
     }
 
     @Override
@@ -105,14 +108,16 @@ public final class ScxmlEditor implements MachineEditor {
         if (around.isEmpty()) {
             int slash = text.lastIndexOf('/', around.tagEnd());
             String name = text.substring(around.from() + 1).split("[\\s/>]", 2)[0];
-            change(slash, around.tagEnd(), ">\n" + indent + INDENT + element + '\n' + indent + "</" + name + ">");
+            String inside = ">" + lineBreak + indent + INDENT + element + lineBreak + indent;
+            change(slash, around.tagEnd(), inside + "</" + name + ">");
             return around.lastLine() + 1;
         }
         int at = text.lastIndexOf('\n', around.end().from());
         if (at < around.tagEnd()) {
             throw new ModelException("line " + around.firstLine() + " holds a whole element; edit it in the text");
         }
-        change(at, at, "\n" + indent + INDENT + element);
+        int end = text.charAt(at - 1) == '\r' ? at - 1 : at;
+        change(end, end, lineBreak + indent + INDENT + element);
         return (int) text.substring(0, at)
                         .chars()
                         .filter(letter -> letter == '\n')
