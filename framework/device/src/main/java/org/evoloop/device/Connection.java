@@ -107,6 +107,14 @@ public abstract class Connection {
         throw new IllegalStateException(name + " does not tell what became of an event");
     }
 
+    /**
+     * Whether it may tell the device's state while an event is still being sent. A learner would take that for the device's
+     * own act.
+     */
+    public boolean tellsWhileSending() {
+        return false;
+    }
+
     /** Whether it asks for the device's state without being told to. */
     protected boolean asksByItself() {
         return false;

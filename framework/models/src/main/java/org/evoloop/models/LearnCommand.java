@@ -14,6 +14,7 @@ import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import org.evoloop.console.Console;
 import org.evoloop.converter.PushMonitor;
+import org.evoloop.device.Connection;
 import org.evoloop.device.DeviceConverter;
 import org.evoloop.device.DeviceFile;
 import org.evoloop.device.DeviceProgram;
@@ -215,6 +216,13 @@ final class LearnCommand implements Callable<Integer> {
             throw new IllegalArgumentException(
                     file + " does not say where each try begins, and where the device is left;"
                             + " add it, such as learn: {home: \"Off\", reset: power}");
+        }
+        for (Connection connection : device.connections()) {
+            if (connection.tellsWhileSending()) {
+                throw new IllegalArgumentException(file + ": the contacts of '" + connection.name()
+                        + "' tell the device's state while an event is still being sent, which cannot be learned yet;"
+                        + " draw the original model, and test it with check and by hand");
+            }
         }
         PageOptions shown = page == null ? PageOptions.none() : PageOptions.at(page);
         PushMonitor buttons = new PushMonitor("Learner");

@@ -417,6 +417,16 @@ class LearnCommandTest {
         assertThat(learn("", "--output=a.mmd", "--from=" + folder.resolve("missing.mmd")))
                 .isEqualTo(2);
         assertThat(err.toString()).contains("missing.mmd");
+        Path pins = described("");
+        Files.writeString(
+                pins,
+                Files.readString(pins)
+                        .replaceAll("connections: .*", "connections: {dimmer: {gpio: true}}")
+                        .replaceAll("send: .*", "send: {power: {pulse: 23}}")
+                        .replaceAll("(?m)^  (answer|ask): .*\\R", "")
+                        .replaceAll("state: .*", "state: {contact: 22, closed: Bright, open: \"Off\"}"));
+        assertThat(learn(pins, "--output=" + folder.resolve("pins.mmd"))).isEqualTo(2);
+        assertThat(err.toString()).contains("the contacts of 'dimmer'", "cannot be learned yet");
         Path anywhere = described("");
         Files.writeString(anywhere, Files.readString(anywhere).replaceAll("(?m)^learn:.*\\R", ""));
         assertThat(learn(anywhere, "--output=a.mmd")).isEqualTo(2);

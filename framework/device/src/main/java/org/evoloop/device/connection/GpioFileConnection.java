@@ -38,6 +38,7 @@ final class GpioFileConnection extends Connection {
     private final Map<Integer, Use> uses = new HashMap<>();
 
     private final Map<Integer, OutputPin> lamps = new HashMap<>();
+    private boolean tellsState;
     private volatile @Nullable Pins opened;
 
     /** What a pin is for; several events, or several functions, may use one output. */
@@ -98,6 +99,13 @@ final class GpioFileConnection extends Connection {
             rule.problem(rule.name() + " needs closed or open, the state in which the contact is so");
         }
         contact(rule, (monitor, pin) -> monitor.found(pin, closed, open));
+        tellsState = true;
+    }
+
+    /** A contact moves while the pulse of an event lasts. */
+    @Override
+    public boolean tellsWhileSending() {
+        return tellsState;
     }
 
     @Override
