@@ -17,6 +17,8 @@ import org.evoloop.device.DeviceFile;
 import org.evoloop.device.DeviceProgram;
 import org.evoloop.device.Scenario;
 import org.evoloop.device.file.DeviceFileException;
+import org.evoloop.device.file.Problems;
+import org.evoloop.device.file.Section;
 import org.evoloop.payload.JsonObject;
 import org.evoloop.statemachine.ModelException;
 
@@ -63,9 +65,10 @@ final class DeviceTexts {
         }
     }
 
-    private static List<JsonObject> found(Path file, Path copy) {
+    private static List<JsonObject> found(Path file, Path copy) throws IOException {
         List<JsonObject> problems = new ArrayList<>();
         try {
+            requireInside(file, copy);
             DeviceFile read = DeviceFile.read(file, DeviceProgram.options());
             for (Scenario scenario : read.scenarios()) {
                 String failure = scenario.run(read);
@@ -77,6 +80,26 @@ final class DeviceTexts {
             String.valueOf(mistaken.getMessage()).lines().forEach(line -> problems.add(problem(line, copy)));
         }
         return problems;
+    }
+
+    /** Models and properties that lie elsewhere are not read. */
+    private static void requireInside(Path file, Path copy) throws IOException {
+        Problems problems = new Problems(file);
+        Section models = Section.parse(Files.readString(file), problems)
+                .section("models")
+                .orElse(null);
+        if (models == null || !problems.isEmpty()) {
+            return; // Reading the file says what is wrong.
+        }
+        for (String key : List.of("original", "new", "properties")) {
+            models.text(key)
+                    .filter(written ->
+                            !file.resolveSibling(written.value()).normalize().startsWith(copy))
+                    .ifPresent(written -> problems.at(
+                            written,
+                            "'" + written + "' is outside of the folder that the studio shows; start it there"));
+        }
+        problems.throwIfAny();
     }
 
     private static JsonObject problem(String line, Path copy) {

@@ -45,7 +45,8 @@ export class Change {
     this.#told.className = 'said soft';
     this.#told.textContent = 'Asking …';
     try {
-      if (this.#desk.unsaved().length && more.new) await this.#desk.save();
+      const failures = this.#desk.unsaved().length && more.new ? await this.#desk.save() : [];
+      if (failures.length) throw new Error(`Nothing was done, since ${failures.join('; ')}.`);
       const answer = await ask('POST', `/api/converters/${encodeURIComponent(this.#name)}`, { command, pair: this.#desk.pair(), ...more });
       if (answer.mistake) throw new Error(`Line ${answer.mistake.line}: ${answer.mistake.message}`);
       this.#told.textContent = command === 'migrate' ? '' : answer.words;
@@ -55,6 +56,16 @@ export class Change {
       this.#told.textContent = failure.message;
       return null;
     }
+  }
+
+  // In seconds, none for zero; null if it is no number, which is told.
+  #probationOf() {
+    const written = this.#probation.value.trim();
+    if (/^\d{1,7}$/.test(written)) return Number(written) ? { probation: Number(written) } : {};
+    this.#told.className = 'said bad';
+    this.#told.textContent = `Nothing was done: '${written}' is no number of seconds. Write 600, or 0 for no way back by itself.`;
+    this.#probation.focus();
+    return null;
   }
 
   async #status() {
@@ -100,7 +111,8 @@ export class Change {
       this.#body.replaceChildren(...here, make('p', {}, 'The running device goes on with the new model, from the state in which it is.'), ...warned,
         make('div.fields', {}, make('label', {}, 'Goes back by itself if something fails within (seconds)', this.#probation)),
         make('div.bar', {}, main('Let it take over', async () => {
-          const answer = await this.#command('evolve', { ...next, ...(Number(this.#probation.value) > 0 ? { probation: Number(this.#probation.value) } : {}) });
+          const probation = this.#probationOf();
+          const answer = probation && await this.#command('evolve', { ...next, ...probation });
           if (answer) { const said = answer.words; this.#stage = 'watch'; await this.#show(); this.#told.textContent = said; }
         })));
     } else {

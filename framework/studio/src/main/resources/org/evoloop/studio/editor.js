@@ -34,6 +34,7 @@ export class Editor {
   #path = '';
   #marks = new Map(); // line -> { severity, messages }
   #shown = [];
+  #breaks = '\n'; // as the file has them: a text area knows only this one
   #at = 0;
   onTyped = () => {};
   onLine = () => {};
@@ -41,7 +42,7 @@ export class Editor {
   constructor() {
     this.#area.addEventListener('input', () => {
       this.#draw();
-      this.onTyped(this.#path, this.#area.value);
+      this.onTyped(this.#path, this.#area.value.replaceAll('\n', this.#breaks));
       this.#moved(true);
     });
     this.#area.addEventListener('keydown', key => this.#indent(key));
@@ -56,11 +57,13 @@ export class Editor {
   // Another file, or another text of this one; the cursor stays where it can.
   show(path, text) {
     const other = path !== this.#path;
-    if (!other && text === this.#area.value) return;
+    this.#breaks = /\r\n/.test(text) ? '\r\n' : '\n';
+    const shown = text.replace(/\r\n?/g, '\n');
+    if (!other && shown === this.#area.value) return;
     const { selectionStart, selectionEnd } = this.#area;
     this.#path = path;
     this.#area.setAttribute('aria-label', `Text of ${path}`);
-    this.#area.value = text;
+    this.#area.value = shown;
     if (other) {
       this.#marks = new Map();
       this.#shown = [];
@@ -69,7 +72,7 @@ export class Editor {
       this.#area.setSelectionRange(0, 0);
       this.#frame.scrollTo(0, 0);
     } else {
-      this.#area.setSelectionRange(Math.min(selectionStart, text.length), Math.min(selectionEnd, text.length));
+      this.#area.setSelectionRange(Math.min(selectionStart, shown.length), Math.min(selectionEnd, shown.length));
     }
     this.#draw();
   }

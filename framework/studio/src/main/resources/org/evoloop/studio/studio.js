@@ -32,6 +32,7 @@ const questions = { draw: new Latest(), check: new Latest(), plan: new Latest(),
 let chosen = { new: null, original: null }; // { path, name }
 let found = { findings: [], unchecked: '', device: [] };
 let mistakes = []; // of the last drawing
+const unwritten = new Map(); // path -> why it could not be saved
 let picked = null;
 let around = ''; // the state whose surroundings are drawn, if only they are
 let plan = [];
@@ -216,13 +217,14 @@ async function perform(side, wanted) {
   const text = store.text(path);
   const other = chosen[side === 'new' ? 'original' : 'new'];
   const both = wanted.kind === 'rename-state' && side === 'new' && other;
+  const others = both && other.path !== path ? store.text(other.path) : '';
   const request = { path, text, ...(name ? { machine: name } : {}), edit: wanted, ...(both && other.path === path ? { other: other.name } : {}) };
   const { text: after, line } = await ask('POST', '/api/edit', request);
   const texts = [[path, after]];
   if (both && other.path !== path && pictures.state('original', wanted.from)) {
-    texts.push([other.path, (await ask('POST', '/api/edit', { path: other.path, text: store.text(other.path), ...(other.name ? { machine: other.name } : {}), edit: wanted })).text]);
+    texts.push([other.path, (await ask('POST', '/api/edit', { path: other.path, text: others, ...(other.name ? { machine: other.name } : {}), edit: wanted })).text]);
   }
-  if (store.text(path) !== text) return perform(side, wanted);
+  if (store.text(path) !== text || (texts.length > 1 && store.text(other.path) !== others)) return perform(side, wanted);
   if (wanted.kind === 'rename-state' || wanted.kind === 'add-state') {
     picked = { side, state: { name: wanted.to ?? wanted.name } };
     surround();
@@ -283,12 +285,25 @@ function editorTo(path) {
   show();
 }
 
-const save = path => store.save(path).catch(failure => strip.say(failure.message, 'bad'));
+// Saves a file; returns why it is not saved, or nothing.
+async function save(path) {
+  try {
+    const saved = await store.save(path);
+    unwritten.delete(path);
+    return saved ? '' : `${path} has changed on the disk`;
+  } catch (failure) {
+    unwritten.set(path, failure.message);
+    return failure.message;
+  }
+}
 
+// Returns why some are not saved.
 async function saveAll() {
-  for (const path of store.unsaved) await save(path);
+  const failures = [];
+  for (const path of store.unsaved) failures.push(await save(path));
   await store.list().catch(() => {});
   show();
+  return failures.filter(Boolean);
 }
 
 // ---------- what is shown ----------
@@ -324,10 +339,13 @@ function banners() {
     list.push(make('div.banner.bad', {}, make('span', {}, make('b', {}, 'The studio was started anew.'), ' What you typed is here. Give the address that it has printed.'), form));
   }
   if (store.unkept) list.push(make('div.banner.bad', {}, make('span', {}, 'This browser keeps nothing for this page: save before you close it.')));
+  for (const [path, why] of unwritten) {
+    if (store.isUnsaved(path)) list.push(make('div.banner.bad', {}, make('span', {}, make('b', {}, `${path} is not saved.`), ` ${why}`)));
+  }
   for (const { path, conflict, gone, left } of store.documents.values()) {
     if (gone) {
       list.push(make('div.banner', {}, make('span', {}, make('b', {}, `${path} is no longer on the disk.`), ' Its text is here.'),
-        button('Write it again', () => save(path))));
+        button('Write it again', () => save(path).then(() => show()))));
     }
     if (conflict) {
       list.push(make('div.banner', {}, make('span', {}, make('b', {}, `${path} has changed on the disk.`), ' Yours is not saved.'),

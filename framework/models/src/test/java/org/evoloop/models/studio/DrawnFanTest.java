@@ -202,6 +202,11 @@ class DrawnFanTest {
             Awaitility.await().atMost(Duration.ofSeconds(60)).until(() -> ctl("fan", "press", "boost") != 0);
 
             browser.click("#dialog .stages button[value=over]");
+            probation(browser, "soon");
+            window.button("#dialog", "Let it take over");
+            browser.await("document.querySelector('#dialog .said').innerText.includes('is no number of seconds')");
+            assertThat(ctl("fan", "press", "boost")).isNotZero();
+            probation(browser, "600");
             window.button("#dialog", "Let it take over");
             browser.await("document.querySelector('#dialog .here').innerText.includes('took over')");
             List<String> before = List.of("Off", "Low", "High", "Off");
@@ -213,9 +218,32 @@ class DrawnFanTest {
             Awaitility.await()
                     .untilAsserted(() ->
                             assertThat(fan.log).containsExactly("Off", "Low", "High", "Off", "Low", "High", "Off"));
+            browser.click("#dialog .stages button[value=over]");
+            cannotBeSaved(browser, window);
             assertThat(browser.complaints).allMatch(complaint -> complaint.contains("\"source\":\"network\""));
             assertThat(printed.ready()).as("it prints only its address").isFalse();
         }
+    }
+
+    private static void probation(Browser browser, String seconds) {
+        browser.await("document.querySelector('#dialog input[aria-label=\"Probation in seconds\"]')");
+        browser.evaluate("document.querySelector('#dialog input[aria-label=\"Probation in seconds\"]').select()");
+        browser.type(seconds);
+    }
+
+    /** What cannot be saved does not take over either. */
+    private void cannotBeSaved(Browser browser, StudioWindow window) throws Exception {
+        window.button("#dialog", "✕");
+        window.addState("new", "Storm");
+        window.drag("new", "Off", "Storm", "storm");
+        window.drag("new", "Storm", "Off", "power");
+        Files.setPosixFilePermissions(Path.of(saved("new")), PosixFilePermissions.fromString("r--r--r--"));
+        browser.click("#change");
+        browser.await("document.querySelector('#dialog .sum')");
+        browser.click("#dialog .stages button[value=over]");
+        window.button("#dialog", "Let it take over");
+        browser.await("document.querySelector('#dialog .said').innerText.includes('Nothing was done, since')");
+        assertThat(ctl("fan", "press", "storm")).isNotZero();
     }
 
     private String saved(String model) {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
@@ -397,6 +398,37 @@ class StudioPageTest {
         window.awaitArrow("new", "wait", "on", "first");
         window.save();
         assertThat(folder.resolve("lamp.md")).content().contains("first").doesNotContain("second");
+    }
+
+    @Test
+    void theLineBreaksOfAFileStay() throws Exception {
+        lamp();
+        Files.writeString(folder.resolve("lamp.md"), LAMP.replace("\n", "\r\n"));
+        window.open();
+        window.awaitState("new", "wait");
+        go(LINE_OF_WAIT);
+        browser.type("\n    wait --> on : again");
+        window.awaitArrow("new", "wait", "on", "again");
+        window.drag("new", "wait", "on", "wink");
+        window.save();
+        String saved = Files.readString(folder.resolve("lamp.md"));
+        assertThat(saved).contains("again\r\n", "wink\r\n");
+        assertThat(saved.replace("\r\n", "")).doesNotContain("\n", "\r");
+    }
+
+    @Test
+    void whyAFileCannotBeSavedIsTold() throws Exception {
+        lamp();
+        go(LINE_OF_WAIT);
+        browser.type("\n    wait --> on : again");
+        window.awaitArrow("new", "wait", "on", "again");
+        Files.setPosixFilePermissions(folder.resolve("lamp.md"), PosixFilePermissions.fromString("r--r--r--"));
+        browser.control("s", 83);
+        browser.await(
+                "document.querySelector('#banners').innerText.includes('lamp.md is not saved. lamp.md is read-only')");
+        Files.setPosixFilePermissions(folder.resolve("lamp.md"), PosixFilePermissions.fromString("rw-r--r--"));
+        window.save();
+        browser.await("document.querySelector('#banners').innerText === ''");
     }
 
     @Test

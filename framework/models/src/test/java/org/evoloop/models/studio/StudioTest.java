@@ -300,6 +300,17 @@ class StudioTest extends StudioRequests {
                         Map.of("path", "lamp.yaml", "text", file + yaml.replace("state: wait", "state: warm")))
                 .path("problems");
         assertThat(wrong.path(0).path("message").asString()).contains("state is wait");
+        assertThat(post(
+                                "/api/device",
+                                Map.of(
+                                        "path",
+                                        "lamp.yaml",
+                                        "text",
+                                        file.replace("lamp.md#new", "../../etc/passwd#new")))
+                        .path("problems")
+                        .toString())
+                .isEqualTo("[{\"line\":4,\"message\":\"'../../etc/passwd#new' is outside of the folder that the studio"
+                        + " shows; start it there\"}]");
         JsonNode misspelt = post(
                         "/api/device",
                         Map.of(
