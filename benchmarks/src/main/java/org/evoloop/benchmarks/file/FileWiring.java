@@ -22,6 +22,7 @@ import org.HdrHistogram.Histogram;
 import org.evoloop.benchmarks.report.Latencies;
 import org.evoloop.benchmarks.report.TemporaryFolder;
 import org.evoloop.config.Options;
+import org.evoloop.converter.EventAnalyze;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
@@ -184,7 +185,8 @@ final class FileWiring {
         Files.writeString(folder.resolve("models.md"), MODELS);
         Path path = Files.writeString(folder.resolve("fan.yaml"), FILE.replace("PORT", Integer.toString(port)));
         DeviceFile file = DeviceFile.read(path, Options.of());
-        return DeviceConverter.open(file, file.models(), clock, new PushMonitor("Console"), nothing());
+        return DeviceConverter.open(
+                file, file.models(), clock, new PushMonitor("Console"), new EventAnalyze(), nothing());
     }
 
     private static EventExecute nothing() {

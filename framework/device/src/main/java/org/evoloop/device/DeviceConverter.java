@@ -3,6 +3,7 @@ package org.evoloop.device;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import org.evoloop.converter.EventAnalyze;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.EventMonitor;
 import org.evoloop.converter.StateKnowledge;
@@ -33,14 +34,21 @@ public final class DeviceConverter implements AutoCloseable {
      *
      * @param models that the converter has
      * @param monitor through which events are pressed
+     * @param analyze decides
      * @param execute a further component
      * @throws IOException if this computer lacks what it takes
      */
     public static DeviceConverter open(
-            DeviceFile file, ModelPair models, Clock clock, EventMonitor monitor, EventExecute execute)
+            DeviceFile file,
+            ModelPair models,
+            Clock clock,
+            EventMonitor monitor,
+            EventAnalyze analyze,
+            EventExecute execute)
             throws IOException {
         DeviceConverter opened = new DeviceConverter(file, clock);
         try {
+            opened.converter.addAnalyze(analyze);
             opened.connect(file, models, monitor, execute);
             return opened;
         } catch (IOException | RuntimeException failed) {

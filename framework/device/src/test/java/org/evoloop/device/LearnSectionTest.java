@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.awaitility.Awaitility;
+import org.evoloop.converter.EventAnalyze;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.device.file.DeviceFileException;
@@ -131,7 +132,8 @@ class LearnSectionTest {
         try (LineDevice lamp = new LineDevice(line -> line.equals("P") ? "is off" : "");
                 SystemClock clock = new SystemClock()) {
             DeviceFile file = read(lamp.address(), "home: \"Off\"\nreset: power");
-            try (DeviceConverter opened = DeviceConverter.open(file, file.free("nothing"), clock, buttons, none)) {
+            try (DeviceConverter opened =
+                    DeviceConverter.open(file, file.free("nothing"), clock, buttons, new EventAnalyze(), none)) {
                 Awaitility.await().until(lamp::isConnected);
                 assertThat(file.sent()).containsExactlyInAnyOrder("power", "clear");
                 assertThat(opened.converter().status().states().original().name())

@@ -227,6 +227,7 @@ public final class ConverterDevice implements LearnedDevice {
         // What ended before it is heard first, so that nothing of it is taken for a person's press later.
         while (!outcome.isDone() || own.contains(event)) {
             if (outcome.isDone() && outcome.join() instanceof EventOutcome.Refused) {
+                hear();
                 own.remove(event);
                 break;
             }

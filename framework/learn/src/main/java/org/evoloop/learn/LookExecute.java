@@ -24,6 +24,11 @@ public final class LookExecute extends EventExecute {
         super("Look");
     }
 
+    /** Whether an event is one of these. */
+    static boolean isOne(String event) {
+        return event.equals(LOOK) || event.equals(SEEN);
+    }
+
     @Override
     protected Set<String> sendableEvents() {
         return Set.of(LOOK, SEEN);

@@ -17,6 +17,8 @@ class ArchitectureTest {
             .and()
             .doNotHaveSimpleName("LookExecute")
             .and()
+            .doNotHaveSimpleName("OnceAnalyze")
+            .and()
             .resideInAPackage("org.evoloop.learn")
             .and()
             .areTopLevelClasses()

@@ -11,9 +11,11 @@ import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Occurrence;
 import org.evoloop.learn.LearnedDevice.DisturbedException;
 import org.evoloop.learn.LearnedDevice.LostException;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.StateMachineBuilder;
 import org.evoloop.testkit.Incident;
@@ -235,6 +237,50 @@ class ConverterDeviceTest {
             mute.reportsState();
 
             assertThat(device.await(Duration.ofSeconds(5)).shown()).isEqualTo("Warm");
+        }
+    }
+
+    /** A contact at the kettle. */
+    private static final class Contact extends PushMonitor {
+        void tells(String state, long nanos) {
+            push(new Occurrence.Found(new State(state), nanos));
+        }
+    }
+
+    @Test
+    @Timeout(20)
+    void anEventDuringWhichTheDeviceReportsIsSentOnceAndIsNoAnswer() throws InterruptedException {
+        try (SystemClock time = new SystemClock();
+                SystemEventConverter own = new SystemEventConverter(LoopConfig.defaults("kettle", time))) {
+            PushMonitor presses = new PushMonitor("Learner");
+            Contact contact = new Contact();
+            own.addMonitor(contact);
+            own.addAnalyze(new OnceAnalyze());
+            SimulatedDevice early = SimulatedDevice.of(KETTLE)
+                    .sends("power", "boil")
+                    .buttons("done")
+                    .answersLocate()
+                    .build();
+            run(own, presses, early);
+            ConverterDevice device = new ConverterDevice(
+                    own,
+                    presses,
+                    LearnRules.NONE,
+                    new WayHome("Off", List.of("power"), Map.of(), Duration.ZERO),
+                    SETTLE);
+            device.reset();
+            early.incidents((number, event) -> {
+                contact.tells("Warm", time.nanoTime());
+                while (!own.status().states().original().name().equals("Warm")) {
+                    Thread.onSpinWait();
+                }
+                return List.of();
+            });
+
+            assertThatThrownBy(() -> device.press("power"))
+                    .isInstanceOf(DisturbedException.class)
+                    .hasMessageContaining("while it was being sent");
+            assertThat(early.received()).containsExactly("power");
         }
     }
 

@@ -27,6 +27,7 @@ import org.evoloop.learn.LearnSettings;
 import org.evoloop.learn.Learned;
 import org.evoloop.learn.Learner;
 import org.evoloop.learn.LookExecute;
+import org.evoloop.learn.OnceAnalyze;
 import org.evoloop.learn.WayHome;
 import org.evoloop.models.flat.AstahWriter;
 import org.evoloop.page.PageOptions;
@@ -229,7 +230,12 @@ final class LearnCommand implements Callable<Integer> {
         try (Clock clock = new SystemClock();
                 AnswerLog log = log(device.name());
                 DeviceConverter opened = DeviceConverter.open(
-                        device, device.free(LookExecute.LOOK, LookExecute.SEEN), clock, buttons, new LookExecute());
+                        device,
+                        device.free(LookExecute.LOOK, LookExecute.SEEN),
+                        clock,
+                        buttons,
+                        new OnceAnalyze(),
+                        new LookExecute());
                 LearnPage progress = new LearnPage(shown, opened.converter(), settings.budget())) {
             LearnRules rules = rules(section);
             WayHome way = new WayHome(section.home(), section.reset(), section.resetIn(), section.homeWithin());

@@ -15,7 +15,10 @@ import org.evoloop.statemachine.StateMachine;
  * @since 0.1
  */
 public final class EventKeywords {
+    /** The keyword of an event that the device raises by itself. */
     public static final String SPONTANEOUS = "spontaneous";
+
+    /** The keyword of an event that waits for nothing. */
     public static final String URGENT = "urgent";
 
     private static final String WORD = "(?:" + SPONTANEOUS + "|" + URGENT + ")";
