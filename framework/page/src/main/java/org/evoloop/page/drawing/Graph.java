@@ -16,7 +16,11 @@ import org.evoloop.statemachine.State;
  * it crosses.
  */
 final class Graph {
-    static final double CHAR = 7.6;
+    /** Of a letter of a state's name, which is bold, and of an event's: means of the style sheet's font at 13 px. */
+    private static final double BOLD = 9;
+
+    private static final double PLAIN = 7.8;
+
     static final double STATE_HEIGHT = 40;
     static final double LINE = 17;
 
@@ -94,7 +98,7 @@ final class Graph {
                         box(
                                 2 * distances.getOrDefault(state, 0),
                                 bands.indexOf(around),
-                                state.name().length() * CHAR + 26,
+                                state.name().length() * BOLD + 20,
                                 STATE_HEIGHT)));
         Map<List<State>, List<Sketch.Line>> between = new LinkedHashMap<>();
         for (Sketch.Line line : sketch.arrows()) {
@@ -180,7 +184,7 @@ final class Graph {
         Box from = box(source);
         Box to = box(target);
         double width = lines.stream()
-                .mapToDouble(each -> each.text().length() * CHAR * 0.9 + 14)
+                .mapToDouble(each -> each.text().length() * PLAIN + 10)
                 .max()
                 .orElse(0);
         double height = lines.size() * LINE + 6;
