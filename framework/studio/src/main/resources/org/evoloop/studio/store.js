@@ -138,11 +138,11 @@ export class Store extends EventTarget {
       Object.assign(one, { saved: text, version, conflict: null, gone: false });
     } catch (failure) {
       if (failure.status !== 409) throw failure;
-      this.#differs(one, failure.answer);
+      this.#differs(one, failure.answer.version ? failure.answer : null);
     }
     this.#keep(one);
     this.#tell();
-    return !one.conflict;
+    return !one.conflict && !one.gone;
   }
 
   // Looks whether the disk has changed.
@@ -152,15 +152,17 @@ export class Store extends EventTarget {
     const disk = await ask('GET', `/api/file?path=${encodeURIComponent(path)}`)
       .catch(failure => { if (failure.status === 404) return null; throw failure; });
     if (disk && (disk.version === one.version || disk.version === one.conflict?.version)) return;
-    if (disk) this.#differs(one, disk);
-    else Object.assign(one, { saved: null, version: '', conflict: null, gone: true });
+    this.#differs(one, disk);
     this.#keep(one);
     this.#tell();
   }
 
+  // disk: what is there now, or null.
   #differs(one, disk) {
     const untouched = one.text === one.saved;
-    if (one.text === disk.text || untouched) {
+    if (!disk) {
+      Object.assign(one, { saved: null, version: '', conflict: null, gone: true });
+    } else if (one.text === disk.text || untouched) {
       Object.assign(one, { saved: disk.text, version: disk.version, conflict: null });
       this.change([[one.path, disk.text]]);
     } else {

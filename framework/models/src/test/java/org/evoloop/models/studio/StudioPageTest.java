@@ -441,6 +441,15 @@ class StudioPageTest {
         window.button("#banners", "Write it again");
         browser.await("document.querySelector('#banners').innerText === ''");
         assertThat(folder.resolve("lamp.md")).content().isEqualTo(LAMP);
+
+        go(LINE_OF_WAIT);
+        browser.type("\n    wait --> on : again");
+        window.awaitArrow("new", "wait", "on", "again");
+        Files.delete(folder.resolve("lamp.md"));
+        browser.control("s", 83);
+        browser.await("document.querySelector('#banners').innerText.includes('lamp.md is no longer on the disk')");
+        window.save();
+        assertThat(folder.resolve("lamp.md")).content().contains("again");
     }
 
     @Test
